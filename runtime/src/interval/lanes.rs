@@ -1,0 +1,128 @@
+//! Vectors of `f64` with directed rounding: the primitives that a back-end provides.
+
+use super::sealed::Sealed;
+
+/// A token for one instruction set. Holding one proves that the processor has it, so every method is safe.
+///
+/// Only [`Isa`](super::Isa) creates tokens, after detection. A back-end is this trait and nothing else:
+/// interval operations ([`Packet`](super::Packet)) are written once, on top of it, and a back-end overrides
+/// those that it can do better.
+///
+/// Suffixes are the IEEE 754 rounding attributes: `rn` to nearest, `rd` towards −∞, `ru` towards +∞.
+/// A back-end need not be exact in `rd` and `ru`, but it must bound: `x_rd ≤ exact ≤ x_ru`, for all finite and
+/// infinite operands, at overflow and in subnormals. NaN (0·∞, ∞ − ∞) may come out of the primitives; the interval
+/// operations mend it.
+pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
+    /// A vector of [`Self::LANES`] doubles.
+    type F: Copy + Send + Sync + 'static;
+    /// One bit per lane, in whatever form the processor likes.
+    type M: Copy + Send + Sync + 'static;
+
+    /// How many lanes a vector has: 8 in packets, 1 in scalars.
+    const LANES: usize;
+    /// The name that `ZEROSET_ISA` and reports use.
+    const NAME: &'static str;
+
+    /// Runs `kernel` as one function of its own, compiled for this instruction set, into which everything that
+    /// it calls is inlined. This is where inlining stops.
+    fn kernel<K: Kernel>(self, kernel: K) -> K::Output;
+
+    /// The same number in every lane.
+    fn splat(self, x: f64) -> Self::F;
+    /// Lane `i` is `f(i)`; for set-up code, not for inner loops.
+    fn lanes(self, x: [f64; 8]) -> Self::F;
+    /// The lanes, padded with the last one.
+    fn to_array(self, x: Self::F) -> [f64; 8];
+
+    /// Lane-wise `mask ? yes : no`.
+    fn select(self, mask: Self::M, yes: Self::F, no: Self::F) -> Self::F;
+    /// The mask with bit `i` for lane `i`; higher bits are 0.
+    fn bits(self, mask: Self::M) -> u8;
+    /// The mask from bits; higher bits are ignored.
+    fn mask(self, bits: u8) -> Self::M;
+    /// Both.
+    fn and(self, a: Self::M, b: Self::M) -> Self::M;
+    /// Either.
+    fn or(self, a: Self::M, b: Self::M) -> Self::M;
+    /// `a` and not `b`.
+    fn and_not(self, a: Self::M, b: Self::M) -> Self::M;
+    /// Is any lane set?
+    #[inline(always)]
+    fn any(self, mask: Self::M) -> bool {
+        self.bits(mask) != 0
+    }
+
+    /// `a < b`, false on NaN.
+    fn lt(self, a: Self::F, b: Self::F) -> Self::M;
+    /// `a ≤ b`, false on NaN.
+    fn le(self, a: Self::F, b: Self::F) -> Self::M;
+    /// `a = b`, false on NaN; −0 = +0.
+    fn eq(self, a: Self::F, b: Self::F) -> Self::M;
+
+    /// −a.
+    fn neg_f(self, a: Self::F) -> Self::F;
+    /// |a|.
+    fn abs_f(self, a: Self::F) -> Self::F;
+    /// The smaller; **`b` if either is NaN**.
+    fn min_f(self, a: Self::F, b: Self::F) -> Self::F;
+    /// The larger; **`b` if either is NaN**.
+    fn max_f(self, a: Self::F, b: Self::F) -> Self::F;
+
+    /// a + b to nearest.
+    fn add_rn(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a − b to nearest.
+    fn sub_rn(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a·b to nearest.
+    fn mul_rn(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a/b to nearest.
+    fn div_rn(self, a: Self::F, b: Self::F) -> Self::F;
+    /// √a to nearest.
+    fn sqrt_rn(self, a: Self::F) -> Self::F;
+    /// a·b + c; one rounding where the processor has FMA, else two. For approximations only.
+    fn fma_rn(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// The nearest whole number, ties to even.
+    fn round_f(self, a: Self::F) -> Self::F;
+    /// The largest whole number ≤ a.
+    fn floor_f(self, a: Self::F) -> Self::F;
+
+    /// A lower bound of a + b.
+    fn add_rd(self, a: Self::F, b: Self::F) -> Self::F;
+    /// An upper bound of a + b.
+    fn add_ru(self, a: Self::F, b: Self::F) -> Self::F;
+    /// A lower bound of a − b.
+    #[inline(always)]
+    fn sub_rd(self, a: Self::F, b: Self::F) -> Self::F {
+        self.add_rd(a, self.neg_f(b))
+    }
+    /// An upper bound of a − b.
+    #[inline(always)]
+    fn sub_ru(self, a: Self::F, b: Self::F) -> Self::F {
+        self.add_ru(a, self.neg_f(b))
+    }
+    /// A lower bound of a·b.
+    fn mul_rd(self, a: Self::F, b: Self::F) -> Self::F;
+    /// An upper bound of a·b.
+    fn mul_ru(self, a: Self::F, b: Self::F) -> Self::F;
+    /// A lower bound of a/b.
+    fn div_rd(self, a: Self::F, b: Self::F) -> Self::F;
+    /// An upper bound of a/b.
+    fn div_ru(self, a: Self::F, b: Self::F) -> Self::F;
+    /// A lower bound of √a.
+    fn sqrt_rd(self, a: Self::F) -> Self::F;
+    /// An upper bound of √a.
+    fn sqrt_ru(self, a: Self::F) -> Self::F;
+    /// A lower bound of a·b + c. Every back-end is within 2 ulp of the *result*, whatever cancels: recentring a ray
+    /// at a far origin depends on it.
+    fn fma_rd(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// An upper bound of a·b + c, as tight as [`fma_rd`](Self::fma_rd).
+    fn fma_ru(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+}
+
+/// A piece of work that is written once and compiled for each instruction set.
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+    /// The work. Mark implementations `#[inline(always)]`, and use neither closures nor iterator adaptors on the hot
+    /// path: they do not inherit the instruction set.
+    fn run<P: super::Packet>(self, p: P) -> Self::Output;
+}

@@ -1,0 +1,127 @@
+//! The trait that `implicit!` implements.
+
+use crate::interval::{Arithmetic, Interval, Jet, Packet, Parameter};
+use crate::ray::Rays;
+
+/// An implicit surface f = 0, compiled from a formula by [`implicit!`](crate::implicit).
+///
+/// Four binding times: what is literal was folded by the compiler; [`prepare`](Self::prepare) computes what depends on
+/// the fields only, once per render; [`bind`](Self::bind) what depends on the ray, once per packet; the rest is
+/// [`value`](Self::value), [`slope`](Self::slope) and [`curvature`](Self::curvature) over a segment.
+pub trait Surface: Send + Sync {
+    /// What the compiler knows about the formula.
+    const REPORT: Report;
+
+    /// Values of the surface stage.
+    type Prepared: Send + Sync;
+    /// Values of the ray stage.
+    type Bound<P: Packet>;
+
+    /// Refuses parameters that are NaN or infinite, by the field's name.
+    fn check(&self) -> Result<(), ParameterError>;
+    /// The box of `#[domain]`, lower and upper corner, rounded outward.
+    fn domain(&self) -> Option<[[f64; 3]; 2]>;
+    /// f at a point, in plain `f64` without any guarantee.
+    fn at(&self, point: [f64; 3]) -> f64;
+
+    /// The surface stage.
+    fn prepare(&self) -> Self::Prepared;
+    /// All rows and both sides of all choices.
+    fn everything(prepared: &Self::Prepared) -> Active;
+    /// Drops from `active` the rows and choices that cannot matter on `rays` for `t`. May keep everything.
+    fn prune<P: Packet>(p: P, prepared: &Self::Prepared, rays: &Rays<P>, t: Interval<P::F>, active: &mut Active);
+    /// Room for the ray stage, to be used again for packet after packet.
+    fn unbound<P: Packet>(p: P) -> Self::Bound<P>;
+    /// The ray stage, for the active rows.
+    fn bind<P: Packet>(p: P, prepared: &Self::Prepared, rays: &Rays<P>, active: &Active, bound: &mut Self::Bound<P>);
+
+    /// f over a segment.
+    fn value<A: Arithmetic, T: Parameter<A>>(
+        a: A,
+        prepared: &Self::Prepared,
+        bound: &Self::Bound<A::Packet>,
+        t: T,
+    ) -> Jet<A::Value, A::Packet, 1>;
+    /// f and df/dt over a segment.
+    fn slope<A: Arithmetic, T: Parameter<A>>(
+        a: A,
+        prepared: &Self::Prepared,
+        bound: &Self::Bound<A::Packet>,
+        t: T,
+    ) -> Jet<A::Value, A::Packet, 2>;
+    /// f, df/dt and d²f/dt² over a segment.
+    fn curvature<A: Arithmetic, T: Parameter<A>>(
+        a: A,
+        prepared: &Self::Prepared,
+        bound: &Self::Bound<A::Packet>,
+        t: T,
+    ) -> Jet<A::Value, A::Packet, 3>;
+
+    /// f and its gradient at the points of a box: `[f, f_x, f_y, f_z]`.
+    fn gradient<A: Arithmetic>(
+        a: A,
+        prepared: &Self::Prepared,
+        point: [A::Value; 3],
+    ) -> Jet<A::Value, A::Packet, 4>;
+    /// f, its gradient and its Hessian: `[f, f_x, f_y, f_z, f_xx, f_xy, f_xz, f_yy, f_yz, f_zz]`.
+    fn hessian<A: Arithmetic>(
+        a: A,
+        prepared: &Self::Prepared,
+        point: [A::Value; 3],
+    ) -> Jet<A::Value, A::Packet, 10>;
+    /// The formula's leaf, if the whole formula is of degree ≤ 2: its roots are then found in closed form.
+    fn quadric<P: Packet>(_bound: &Self::Bound<P>) -> Option<&crate::interval::Quadratic<P>> {
+        None
+    }
+}
+
+/// What the compiler knows about a formula.
+#[derive(Clone, Copy, Debug)]
+pub struct Report {
+    /// The surface's name.
+    pub name: &'static str,
+    /// The degree in x, y, z, if f is a polynomial.
+    pub degree: Option<u32>,
+    /// How smooth f is, wherever it is defined.
+    pub continuity: Continuity,
+    /// Is f defined everywhere, for all values of the fields?
+    pub total: bool,
+    /// Names of the functions whose enclosures are tested, not proved.
+    pub unproved: &'static [&'static str],
+    /// Linear and quadratic leaves of the ray stage, in loops counted once.
+    pub leaves: u32,
+    /// Interval operations of the segment stage: value, slope, curvature; bodies of loops counted once.
+    pub segment_operations: [u32; 3],
+    /// Interval operations of the gradient and of the Hessian in space; bodies of loops counted once.
+    pub space_operations: [u32; 2],
+}
+
+/// How smooth a function is, wherever it is defined.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Continuity {
+    /// It may jump.
+    Jumps,
+    /// Continuous, with kinks.
+    Continuous,
+    /// All derivatives exist.
+    Smooth,
+}
+
+/// The rows of tables that can matter on a tile, and the choices that are decided there.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Active {
+    /// For each outermost fold, the rows to visit, in ascending order.
+    pub rows: Vec<Vec<u32>>,
+}
+
+/// A parameter that no surface can have.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("field `{field}` of `{surface}` is {value}: parameters must be finite numbers")]
+pub struct ParameterError {
+    /// The surface's name.
+    pub surface: &'static str,
+    /// The field's name.
+    pub field: &'static str,
+    /// The offending value.
+    pub value: f64,
+}
