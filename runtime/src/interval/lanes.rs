@@ -26,6 +26,9 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// Runs `kernel` as one function of its own, compiled for this instruction set, into which everything that
     /// it calls is inlined. This is where inlining stops.
     fn kernel<K: Kernel>(self, kernel: K) -> K::Output;
+    /// The same for work on values of this instruction set, which [`Kernel`] cannot name: one function of its own per
+    /// routine and instruction set (`#[inline(never)]`, with the target features).
+    fn call<R: Routine<Self>>(self, routine: R) -> R::Output;
 
     /// The same number in every lane.
     fn splat(self, x: f64) -> Self::F;
@@ -125,4 +128,13 @@ pub trait Kernel {
     /// The work. Mark implementations `#[inline(always)]`, and use neither closures nor iterator adaptors on the hot
     /// path: they do not inherit the instruction set.
     fn run<P: super::Packet>(self, p: P) -> Self::Output;
+}
+
+/// A piece of work on values of one instruction set, such as one entry point of a surface. Arguments are held by
+/// reference.
+pub trait Routine<L: Lanes> {
+    /// What it returns.
+    type Output;
+    /// The work; the rules are those of [`Kernel::run`].
+    fn call(self, lanes: L) -> Self::Output;
 }

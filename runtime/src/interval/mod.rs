@@ -7,7 +7,7 @@ mod leaf;
 
 pub use arithmetic::Arithmetic;
 pub use flags::{Flags, Jet, Truth, Undecided};
-pub use lanes::{Kernel, Lanes};
+pub use lanes::{Kernel, Lanes, Routine};
 pub use leaf::{At, Linear, Parameter, Quadratic};
 
 mod sealed {
