@@ -22,6 +22,8 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     const LANES: usize;
     /// The name that `ZEROSET_ISA` and reports use.
     const NAME: &'static str;
+    /// False in the back-ends that exist for negative controls: their bounds are rounded to nearest.
+    const DIRECTED: bool;
 
     /// Runs `kernel` as one function of its own, compiled for this instruction set, into which everything that
     /// it calls is inlined. This is where inlining stops.
@@ -88,6 +90,29 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// The largest whole number ≤ a.
     fn floor_f(self, a: Self::F) -> Self::F;
 
+    /// 2ⁿ for a whole number n in [−1022, 1023]; anything else gives garbage.
+    fn pow2(self, n: Self::F) -> Self::F;
+    /// `a`, and 0 where it is NaN: 0·∞ stands for the product of 0 and numbers without bound, which is 0.
+    #[inline(always)]
+    fn mend(self, a: Self::F) -> Self::F {
+        self.select(self.eq(a, a), a, self.splat(0.0))
+    }
+    /// Every lane.
+    #[inline(always)]
+    fn all(self) -> Self::M {
+        self.mask(0xff)
+    }
+    /// No lane.
+    #[inline(always)]
+    fn none(self) -> Self::M {
+        self.mask(0)
+    }
+    /// Not.
+    #[inline(always)]
+    fn not(self, a: Self::M) -> Self::M {
+        self.and_not(self.all(), a)
+    }
+
     /// A lower bound of a + b.
     fn add_rd(self, a: Self::F, b: Self::F) -> Self::F;
     /// An upper bound of a + b.
@@ -106,6 +131,16 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     fn mul_rd(self, a: Self::F, b: Self::F) -> Self::F;
     /// An upper bound of a·b.
     fn mul_ru(self, a: Self::F, b: Self::F) -> Self::F;
+    /// A lower bound of a·b for a, b ≥ 0 that is itself ≥ 0; 0·∞ = 0.
+    #[inline(always)]
+    fn mul_nonneg_rd(self, a: Self::F, b: Self::F) -> Self::F {
+        self.max_f(self.mul_rd(a, b), self.splat(0.0))
+    }
+    /// An upper bound of a·b for a, b ≥ 0; 0·∞ = 0.
+    #[inline(always)]
+    fn mul_nonneg_ru(self, a: Self::F, b: Self::F) -> Self::F {
+        self.max_f(self.mul_ru(a, b), self.splat(0.0))
+    }
     /// A lower bound of a/b.
     fn div_rd(self, a: Self::F, b: Self::F) -> Self::F;
     /// An upper bound of a/b.

@@ -1,14 +1,33 @@
 //! Intervals, packets of intervals, and their back-ends.
 
 mod arithmetic;
+mod enclose;
 mod flags;
+mod forward;
+mod functions;
+mod isa;
 mod lanes;
 mod leaf;
+mod nearest;
+mod number;
+mod packet;
+mod parameter;
+mod portable;
+mod rounding;
+mod scalar;
 
 pub use arithmetic::Arithmetic;
 pub use flags::{Flags, Jet, Truth, Undecided};
+pub use functions::UNPROVED;
+pub use isa::{Isa, IsaError};
 pub use lanes::{Kernel, Lanes, Routine};
 pub use leaf::{At, Linear, Parameter, Quadratic};
+pub use nearest::Nearest;
+pub use number::IntervalError;
+pub use packet::Packet;
+pub use portable::Portable;
+pub use rounding::{Directed, Rounding, ToNearest};
+pub use scalar::Scalar;
 
 mod sealed {
     /// Back-ends are this crate's own: a foreign token would not prove anything.
@@ -25,6 +44,3 @@ pub struct Interval<F = f64> {
     /// The upper bound.
     pub hi: F,
 }
-
-/// Interval operations on the lanes of one instruction set: what enclosures and contractors are written in.
-pub trait Packet: Lanes + Arithmetic<Packet = Self, Value = Interval<<Self as Lanes>::F>> {}

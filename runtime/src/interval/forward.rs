@@ -1,0 +1,277 @@
+//! Every packet is an [`Arithmetic`] on intervals.
+
+use super::enclose::Enclose;
+use super::functions::{self, tested};
+use super::{Arithmetic, Flags, Interval, Truth, Undecided};
+
+impl<P: Enclose> Arithmetic for P {
+    type Packet = P;
+    type Value = Interval<P::F>;
+
+    #[inline(always)]
+    fn constant(self, c: &Interval) -> Interval<P::F> {
+        Interval {
+            lo: self.splat(c.lo),
+            hi: self.splat(c.hi),
+        }
+    }
+
+    #[inline(always)]
+    fn clear(self) -> Flags<P> {
+        Flags::none(self)
+    }
+    #[inline(always)]
+    fn join(self, a: Flags<P>, b: Flags<P>) -> Flags<P> {
+        a.join(self, b)
+    }
+
+    #[inline(always)]
+    fn neg(self, a: Interval<P::F>) -> Interval<P::F> {
+        Interval {
+            lo: self.neg_f(a.hi),
+            hi: self.neg_f(a.lo),
+        }
+    }
+    #[inline(always)]
+    fn add(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        self.i_add(a, b)
+    }
+    #[inline(always)]
+    fn sub(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        self.i_sub(a, b)
+    }
+    #[inline(always)]
+    fn mul(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        self.i_mul(a, b)
+    }
+    #[inline(always)]
+    fn mul_pos(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        self.i_mul_pos(a, b)
+    }
+    #[inline(always)]
+    fn mul_pos_pos(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        self.i_mul_pos_pos(a, b)
+    }
+    #[inline(always)]
+    fn sqr(self, a: Interval<P::F>) -> Interval<P::F> {
+        self.i_sqr(a)
+    }
+    #[inline(always)]
+    fn powi(self, a: Interval<P::F>, n: u32) -> Interval<P::F> {
+        self.i_powi(a, n)
+    }
+    #[inline(always)]
+    fn nonneg(self, a: Interval<P::F>) -> Interval<P::F> {
+        let zero = self.splat(0.0);
+        Interval {
+            lo: self.max_f(a.lo, zero),
+            hi: self.max_f(a.hi, zero),
+        }
+    }
+    #[inline(always)]
+    fn abs(self, a: Interval<P::F>) -> Interval<P::F> {
+        self.i_abs(a)
+    }
+    #[inline(always)]
+    fn abs_slope(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        // Where a only touches 0, |a| is a or −a over the whole operand: no kink.
+        let (zero, one, minus) = (self.splat(0.0), self.splat(1.0), self.splat(-1.0));
+        let below = self.lt(a.lo, zero);
+        let above = self.lt(zero, a.hi);
+        let slope = Interval {
+            lo: self.select(below, minus, one),
+            hi: self.select(self.and_not(below, above), minus, one),
+        };
+        (
+            slope,
+            Flags {
+                kink: self.and(below, above),
+                ..Flags::none(self)
+            },
+        )
+    }
+    #[inline(always)]
+    fn min(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        Interval {
+            lo: self.min_f(a.lo, b.lo),
+            hi: self.min_f(a.hi, b.hi),
+        }
+    }
+    #[inline(always)]
+    fn max(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        Interval {
+            lo: self.max_f(a.lo, b.lo),
+            hi: self.max_f(a.hi, b.hi),
+        }
+    }
+    #[inline(always)]
+    fn less(self, a: Interval<P::F>, b: Interval<P::F>) -> Truth<P> {
+        Truth {
+            yes: self.lt(a.hi, b.lo),
+            no: self.le(b.hi, a.lo),
+        }
+    }
+    #[inline(always)]
+    fn less_or_equal(self, a: Interval<P::F>, b: Interval<P::F>) -> Truth<P> {
+        Truth {
+            yes: self.le(a.hi, b.lo),
+            no: self.lt(b.hi, a.lo),
+        }
+    }
+    #[inline(always)]
+    fn both(self, a: Truth<P>, b: Truth<P>) -> Truth<P> {
+        a.both(self, b)
+    }
+    #[inline(always)]
+    fn either(self, a: Truth<P>, b: Truth<P>) -> Truth<P> {
+        a.either(self, b)
+    }
+    #[inline(always)]
+    fn choose(self, c: Truth<P>, yes: Interval<P::F>, no: Interval<P::F>) -> Interval<P::F> {
+        let lo = self.min_f(yes.lo, no.lo);
+        let hi = self.max_f(yes.hi, no.hi);
+        Interval {
+            lo: self.select(c.yes, yes.lo, self.select(c.no, no.lo, lo)),
+            hi: self.select(c.yes, yes.hi, self.select(c.no, no.hi, hi)),
+        }
+    }
+    #[inline(always)]
+    fn branch(self, c: Truth<P>, yes: Flags<P>, no: Flags<P>, undecided: Undecided) -> Flags<P> {
+        c.branch(self, yes, no, undecided)
+    }
+
+    #[inline(always)]
+    fn div(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (self.i_div(a, b), functions::domain::nonzero(self, b))
+    }
+    #[inline(always)]
+    fn recip(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (self.i_recip(a), functions::domain::nonzero(self, a))
+    }
+    #[inline(always)]
+    fn sqrt(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (self.i_sqrt(a), functions::domain::at_least(self, a, 0.0))
+    }
+    #[inline(always)]
+    fn cbrt(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::cbrt)
+    }
+    #[inline(always)]
+    fn pow(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane2(self, a, b, tested::pow),
+            functions::domain::power(self, a, b),
+        )
+    }
+    #[inline(always)]
+    fn exp(self, a: Interval<P::F>) -> Interval<P::F> {
+        self.i_exp(a)
+    }
+    #[inline(always)]
+    fn exp2(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::exp2)
+    }
+    #[inline(always)]
+    fn exp_m1(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::exp_m1)
+    }
+    #[inline(always)]
+    fn ln(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::ln),
+            functions::domain::above(self, a, 0.0),
+        )
+    }
+    #[inline(always)]
+    fn ln_1p(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::ln_1p),
+            functions::domain::above(self, a, -1.0),
+        )
+    }
+    #[inline(always)]
+    fn log2(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::log2),
+            functions::domain::above(self, a, 0.0),
+        )
+    }
+    #[inline(always)]
+    fn log10(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::log10),
+            functions::domain::above(self, a, 0.0),
+        )
+    }
+    #[inline(always)]
+    fn sin(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::sin)
+    }
+    #[inline(always)]
+    fn cos(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::cos)
+    }
+    #[inline(always)]
+    fn tan(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        functions::periodic::tan(self, a)
+    }
+    #[inline(always)]
+    fn asin(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::asin),
+            functions::domain::between(self, a, -1.0, 1.0),
+        )
+    }
+    #[inline(always)]
+    fn acos(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::acos),
+            functions::domain::between(self, a, -1.0, 1.0),
+        )
+    }
+    #[inline(always)]
+    fn atan(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::atan)
+    }
+    #[inline(always)]
+    fn atan2(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane2(self, a, b, tested::atan2),
+            functions::domain::angle(self, a, b),
+        )
+    }
+    #[inline(always)]
+    fn sinh(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::sinh)
+    }
+    #[inline(always)]
+    fn cosh(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, self.i_abs(a), tested::cosh)
+    }
+    #[inline(always)]
+    fn tanh(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::tanh)
+    }
+    #[inline(always)]
+    fn asinh(self, a: Interval<P::F>) -> Interval<P::F> {
+        tested::per_lane(self, a, tested::asinh)
+    }
+    #[inline(always)]
+    fn acosh(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::acosh),
+            functions::domain::at_least(self, a, 1.0),
+        )
+    }
+    #[inline(always)]
+    fn atanh(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+        (
+            tested::per_lane(self, a, tested::atanh),
+            functions::domain::inside(self, a, -1.0, 1.0),
+        )
+    }
+    #[inline(always)]
+    fn hypot(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+        self.i_sqrt(self.i_add(self.i_sqr(a), self.i_sqr(b)))
+    }
+}

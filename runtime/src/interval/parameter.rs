@@ -1,0 +1,213 @@
+//! Ranges of linear and quadratic leaves.
+//!
+//! All of it rests on t ≥ 0: the smallest of all c₀ + c₁t + c₂t² with coefficients in intervals is then the one with the
+//! three lower bounds, at every t. So the lower bound of the range is the minimum of one ordinary quadratic, and the
+//! upper bound the maximum of another. Horner's scheme with fused operations rounds twice, each time downwards (upwards):
+//! c₂t + c₁ rounded down is multiplied by t ≥ 0, which keeps the order.
+
+use super::{Arithmetic, At, Interval, Linear, Nearest, Packet, Parameter, Quadratic};
+
+impl<P: Packet> Linear<P> {
+    /// c₀ + c₁t.
+    #[inline(always)]
+    pub fn new(_p: P, c0: Interval<P::F>, c1: Interval<P::F>) -> Self {
+        Linear { c0, c1 }
+    }
+
+    /// The leaf 0: room in arrays, to be written by the ray stage.
+    #[inline(always)]
+    pub fn zero(p: P) -> Self {
+        let zero = p.point(p.splat(0.0));
+        Linear { c0: zero, c1: zero }
+    }
+}
+
+impl<P: Packet> Quadratic<P> {
+    /// c₀ + c₁t + c₂t², with the extreme values c₀ − c₁²/4c₂ of the two bounding quadratics rounded outward.
+    #[inline(always)]
+    pub fn new(p: P, c0: Interval<P::F>, c1: Interval<P::F>, c2: Interval<P::F>) -> Self {
+        let low = minimum(p, c0.lo, c1.lo, c2.lo);
+        // The maximum of the upper quadratic is the negated minimum of the negated one.
+        let high = p.neg_f(minimum(p, p.neg_f(c0.hi), p.neg_f(c1.hi), p.neg_f(c2.hi)));
+        Quadratic {
+            c0,
+            c1,
+            c2,
+            low,
+            high,
+        }
+    }
+
+    /// The leaf 0: room in arrays, to be written by the ray stage.
+    #[inline(always)]
+    pub fn zero(p: P) -> Self {
+        let zero = p.point(p.splat(0.0));
+        Quadratic {
+            c0: zero,
+            c1: zero,
+            c2: zero,
+            low: p.splat(f64::INFINITY),
+            high: p.splat(f64::NEG_INFINITY),
+        }
+    }
+}
+
+/// A lower bound of c₀ − c₁²/4c₂ where c₂ > 0, else +∞.
+#[inline(always)]
+fn minimum<P: Packet>(p: P, c0: P::F, c1: P::F, c2: P::F) -> P::F {
+    let m = p.abs_f(c1);
+    let square = p.mul_nonneg_ru(m, m);
+    // At least the smallest positive number where c₂ > 0 is: then the quotient is no NaN, and only larger.
+    let four = p.mul_rd(p.splat(4.0), c2);
+    let drop = p.div_ru(square, p.max_f(four, p.splat(0.0)));
+    let low = p.sub_rd(c0, drop);
+    // 0/0 comes from c₁ = 0 and 4c₂ rounded to 0: then the minimum is c₀ itself.
+    let low = p.select(p.eq(c1, p.splat(0.0)), c0, low);
+    p.select(p.lt(p.splat(0.0), c2), low, p.splat(f64::INFINITY))
+}
+
+/// The bounds of c₁ + c₂t at one t.
+#[inline(always)]
+fn line<P: Packet>(p: P, c1: Interval<P::F>, c2: Interval<P::F>, t: P::F) -> Interval<P::F> {
+    Interval {
+        lo: p.fma_rd(c2.lo, t, c1.lo),
+        hi: p.fma_ru(c2.hi, t, c1.hi),
+    }
+}
+
+/// Bounds of c₁ + 2c₂t: the doubling is exact.
+#[inline(always)]
+fn doubled<P: Packet>(p: P, c2: Interval<P::F>) -> Interval<P::F> {
+    Interval {
+        lo: p.add_rn(c2.lo, c2.lo),
+        hi: p.add_rn(c2.hi, c2.hi),
+    }
+}
+
+/// c₀ + c₁t over a segment: each bound lies at the end that its slope's sign tells.
+#[inline(always)]
+fn linear_range<P: Packet>(
+    p: P,
+    c0: Interval<P::F>,
+    c1: Interval<P::F>,
+    t: Interval<P::F>,
+) -> Interval<P::F> {
+    let zero = p.splat(0.0);
+    let at_lo = p.select(p.lt(c1.lo, zero), t.hi, t.lo);
+    let at_hi = p.select(p.lt(c1.hi, zero), t.lo, t.hi);
+    Interval {
+        lo: p.fma_rd(c1.lo, at_lo, c0.lo),
+        hi: p.fma_ru(c1.hi, at_hi, c0.hi),
+    }
+}
+
+/// Over a segment 0 ≤ lo ≤ hi < ∞.
+impl<P: Packet> Parameter<P> for Interval<P::F> {
+    #[inline(always)]
+    fn linear(self, p: P, leaf: &Linear<P>) -> Interval<P::F> {
+        linear_range(p, leaf.c0, leaf.c1, self)
+    }
+    #[inline(always)]
+    fn linear_slope(self, _p: P, leaf: &Linear<P>) -> Interval<P::F> {
+        leaf.c1
+    }
+    #[inline(always)]
+    fn quadratic(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
+        let zero = p.splat(0.0);
+        let (start, end) = (
+            line(p, leaf.c1, leaf.c2, self.lo),
+            line(p, leaf.c1, leaf.c2, self.hi),
+        );
+        let lo0 = p.fma_rd(start.lo, self.lo, leaf.c0.lo);
+        let lo1 = p.fma_rd(end.lo, self.hi, leaf.c0.lo);
+        let hi0 = p.fma_ru(start.hi, self.lo, leaf.c0.hi);
+        let hi1 = p.fma_ru(end.hi, self.hi, leaf.c0.hi);
+        // The vertex is outside where the slope c₁ + 2c₂t, rounded the safe way, has one sign: ≥ 0 at the start of an
+        // upright parabola or ≤ 0 at its end; for a hanging one the other way round. If in doubt the extreme value
+        // over all t counts, which is always a bound.
+        let rising = p.le(zero, p.fma_rd(leaf.c2.lo, self.lo, start.lo));
+        let falling = p.le(
+            p.fma_ru(
+                leaf.c2.lo,
+                self.hi,
+                p.fma_ru(leaf.c2.lo, self.hi, leaf.c1.lo),
+            ),
+            zero,
+        );
+        let low = p.select(p.or(rising, falling), p.splat(f64::INFINITY), leaf.low);
+        let falling = p.le(p.fma_ru(leaf.c2.hi, self.lo, start.hi), zero);
+        let rising = p.le(
+            zero,
+            p.fma_rd(
+                leaf.c2.hi,
+                self.hi,
+                p.fma_rd(leaf.c2.hi, self.hi, leaf.c1.hi),
+            ),
+        );
+        let high = p.select(p.or(rising, falling), p.splat(f64::NEG_INFINITY), leaf.high);
+        Interval {
+            lo: p.min_f(p.min_f(low, lo1), lo0),
+            hi: p.max_f(p.max_f(high, hi1), hi0),
+        }
+    }
+    #[inline(always)]
+    fn quadratic_slope(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
+        linear_range(p, leaf.c1, doubled(p, leaf.c2), self)
+    }
+    #[inline(always)]
+    fn quadratic_curvature(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
+        doubled(p, leaf.c2)
+    }
+}
+
+/// At one t ≥ 0, which is exact: the enclosures are of the value there.
+impl<P: Packet> Parameter<P> for At<P::F> {
+    #[inline(always)]
+    fn linear(self, p: P, leaf: &Linear<P>) -> Interval<P::F> {
+        line(p, leaf.c0, leaf.c1, self.0)
+    }
+    #[inline(always)]
+    fn linear_slope(self, _p: P, leaf: &Linear<P>) -> Interval<P::F> {
+        leaf.c1
+    }
+    #[inline(always)]
+    fn quadratic(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
+        line(p, leaf.c0, line(p, leaf.c1, leaf.c2, self.0), self.0)
+    }
+    #[inline(always)]
+    fn quadratic_slope(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
+        line(p, leaf.c1, doubled(p, leaf.c2), self.0)
+    }
+    #[inline(always)]
+    fn quadratic_curvature(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
+        doubled(p, leaf.c2)
+    }
+}
+
+/// At one t, approximately: coefficients are taken at their lower bounds, which are a rounding away from any other.
+impl<P: Packet> Parameter<Nearest<P>> for At<P::F> {
+    #[inline(always)]
+    fn linear(self, a: Nearest<P>, leaf: &Linear<P>) -> P::F {
+        a.0.fma_rn(leaf.c1.lo, self.0, leaf.c0.lo)
+    }
+    #[inline(always)]
+    fn linear_slope(self, _a: Nearest<P>, leaf: &Linear<P>) -> P::F {
+        leaf.c1.lo
+    }
+    #[inline(always)]
+    fn quadratic(self, a: Nearest<P>, leaf: &Quadratic<P>) -> P::F {
+        a.0.fma_rn(
+            a.0.fma_rn(leaf.c2.lo, self.0, leaf.c1.lo),
+            self.0,
+            leaf.c0.lo,
+        )
+    }
+    #[inline(always)]
+    fn quadratic_slope(self, a: Nearest<P>, leaf: &Quadratic<P>) -> P::F {
+        a.0.fma_rn(a.add(leaf.c2.lo, leaf.c2.lo), self.0, leaf.c1.lo)
+    }
+    #[inline(always)]
+    fn quadratic_curvature(self, a: Nearest<P>, leaf: &Quadratic<P>) -> P::F {
+        a.add(leaf.c2.lo, leaf.c2.lo)
+    }
+}

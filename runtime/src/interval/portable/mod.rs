@@ -1,0 +1,358 @@
+//! Eight doubles in an array, without any instruction set: plain operations that a compiler vectorises as it can.
+
+mod error_free;
+
+use std::marker::PhantomData;
+
+use super::enclose::Enclose;
+use super::functions;
+use super::sealed::Sealed;
+use super::{Directed, Interval, Kernel, Lanes, Rounding, Routine};
+
+/// The token of the portable back-end.
+///
+/// Results to nearest are widened after Rump, Zimmermann, Boldo and Melquiond, *Computing predecessor and successor in
+/// rounding to nearest* (BIT 49, 2009): with e = |x|·φ + η, φ = 2⁻⁵³(1 + 2⁻⁵²), η = 2⁻¹⁰⁷⁴, all to nearest,
+/// x − e ≤ pred(x) and x + e ≥ succ(x) for every finite x. An operation's exact result lies between the two.
+#[derive(Clone, Copy, Debug)]
+pub struct Portable<R = Directed>(PhantomData<R>);
+
+impl<R: Rounding> Portable<R> {
+    /// The token; every processor has this back-end.
+    pub fn new() -> Self {
+        Portable(PhantomData)
+    }
+}
+
+impl<R: Rounding> Default for Portable<R> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// φ = 2⁻⁵³(1 + 2⁻⁵²)
+const PHI: f64 = f64::from_bits(((1023 - 53) << 52) | 1);
+/// η, the smallest positive double
+const ETA: f64 = f64::from_bits(1);
+
+type F = [f64; 8];
+type M = [u64; 8];
+
+/// x or a number below it, such that the exact result that rounded to x is not below.
+#[inline(always)]
+fn down_one<R: Rounding>(x: f64) -> f64 {
+    if !R::ON {
+        return x;
+    }
+    // An overflow of finite operands rounds to +∞, and ∞ − ∞ would be NaN. A NaN stays one.
+    let x = if x > f64::MAX { f64::MAX } else { x };
+    x - (x.abs() * PHI + ETA)
+}
+
+/// As [`down_one`], above.
+#[inline(always)]
+fn up_one<R: Rounding>(x: f64) -> f64 {
+    if !R::ON {
+        return x;
+    }
+    let x = if x < f64::MIN { f64::MIN } else { x };
+    x + (x.abs() * PHI + ETA)
+}
+
+/// Lane by lane: `map!(i => expression of i)`.
+macro_rules! map {
+    ($i:ident => $lane:expr) => {{
+        let mut out = [0.0; 8];
+        let mut $i = 0;
+        while $i < 8 {
+            out[$i] = $lane;
+            $i += 1;
+        }
+        out
+    }};
+}
+
+/// Masks are words of ones or zeros, which selects turn into bit operations.
+macro_rules! test {
+    ($i:ident => $lane:expr) => {{
+        let mut out = [0u64; 8];
+        let mut $i = 0;
+        while $i < 8 {
+            out[$i] = if $lane { u64::MAX } else { 0 };
+            $i += 1;
+        }
+        out
+    }};
+}
+
+impl<R: Rounding> Sealed for Portable<R> {}
+
+impl<R: Rounding> Lanes for Portable<R> {
+    type F = F;
+    type M = M;
+    const LANES: usize = 8;
+    const NAME: &'static str = if R::ON {
+        "portable"
+    } else {
+        "portable-unrounded"
+    };
+    const DIRECTED: bool = R::ON;
+
+    #[inline(always)]
+    fn kernel<K: Kernel>(self, kernel: K) -> K::Output {
+        run_kernel(self, kernel)
+    }
+    #[inline(always)]
+    fn call<T: Routine<Self>>(self, routine: T) -> T::Output {
+        call_routine(self, routine)
+    }
+
+    #[inline(always)]
+    fn splat(self, x: f64) -> F {
+        [x; 8]
+    }
+    #[inline(always)]
+    fn lanes(self, x: [f64; 8]) -> F {
+        x
+    }
+    #[inline(always)]
+    fn to_array(self, x: F) -> [f64; 8] {
+        x
+    }
+
+    #[inline(always)]
+    fn select(self, mask: M, yes: F, no: F) -> F {
+        map!(i => f64::from_bits((mask[i] & yes[i].to_bits()) | (!mask[i] & no[i].to_bits())))
+    }
+    #[inline(always)]
+    fn bits(self, mask: M) -> u8 {
+        let mut bits = 0;
+        let mut i = 0;
+        while i < 8 {
+            bits |= ((mask[i] & 1) as u8) << i;
+            i += 1;
+        }
+        bits
+    }
+    #[inline(always)]
+    fn mask(self, bits: u8) -> M {
+        test!(i => (bits >> i) & 1 == 1)
+    }
+    #[inline(always)]
+    fn and(self, a: M, b: M) -> M {
+        let mut out = a;
+        let mut i = 0;
+        while i < 8 {
+            out[i] &= b[i];
+            i += 1;
+        }
+        out
+    }
+    #[inline(always)]
+    fn or(self, a: M, b: M) -> M {
+        let mut out = a;
+        let mut i = 0;
+        while i < 8 {
+            out[i] |= b[i];
+            i += 1;
+        }
+        out
+    }
+    #[inline(always)]
+    fn and_not(self, a: M, b: M) -> M {
+        let mut out = a;
+        let mut i = 0;
+        while i < 8 {
+            out[i] &= !b[i];
+            i += 1;
+        }
+        out
+    }
+
+    #[inline(always)]
+    fn lt(self, a: F, b: F) -> M {
+        test!(i => a[i] < b[i])
+    }
+    #[inline(always)]
+    fn le(self, a: F, b: F) -> M {
+        test!(i => a[i] <= b[i])
+    }
+    #[inline(always)]
+    fn eq(self, a: F, b: F) -> M {
+        test!(i => a[i] == b[i])
+    }
+
+    #[inline(always)]
+    fn neg_f(self, a: F) -> F {
+        map!(i => -a[i])
+    }
+    #[inline(always)]
+    fn abs_f(self, a: F) -> F {
+        map!(i => a[i].abs())
+    }
+    #[inline(always)]
+    fn min_f(self, a: F, b: F) -> F {
+        map!(i => if a[i] < b[i] { a[i] } else { b[i] })
+    }
+    #[inline(always)]
+    fn max_f(self, a: F, b: F) -> F {
+        map!(i => if a[i] > b[i] { a[i] } else { b[i] })
+    }
+
+    #[inline(always)]
+    fn add_rn(self, a: F, b: F) -> F {
+        map!(i => a[i] + b[i])
+    }
+    #[inline(always)]
+    fn sub_rn(self, a: F, b: F) -> F {
+        map!(i => a[i] - b[i])
+    }
+    #[inline(always)]
+    fn mul_rn(self, a: F, b: F) -> F {
+        map!(i => a[i] * b[i])
+    }
+    #[inline(always)]
+    fn div_rn(self, a: F, b: F) -> F {
+        map!(i => a[i] / b[i])
+    }
+    #[inline(always)]
+    fn sqrt_rn(self, a: F) -> F {
+        map!(i => a[i].sqrt())
+    }
+    #[inline(always)]
+    fn fma_rn(self, a: F, b: F, c: F) -> F {
+        map!(i => a[i] * b[i] + c[i])
+    }
+    #[inline(always)]
+    fn round_f(self, a: F) -> F {
+        // Adding 1.5·2⁵² leaves no bits below 1; larger numbers are whole already.
+        const SHIFT: f64 = 6_755_399_441_055_744.0;
+        map!(i => if a[i].abs() < 4_503_599_627_370_496.0 / 2.0 { (a[i] + SHIFT) - SHIFT } else { a[i].round_ties_even() })
+    }
+    #[inline(always)]
+    fn floor_f(self, a: F) -> F {
+        let r = self.round_f(a);
+        map!(i => if r[i] > a[i] { r[i] - 1.0 } else { r[i] })
+    }
+    #[inline(always)]
+    fn pow2(self, n: F) -> F {
+        // n + 1.5·2⁵² holds n in its low bits; shifted to the exponent, the rest falls off.
+        map!(i => f64::from_bits((n[i] + (6_755_399_441_055_744.0 + 1023.0)).to_bits() << 52))
+    }
+
+    #[inline(always)]
+    fn add_rd(self, a: F, b: F) -> F {
+        map!(i => down_one::<R>(a[i] + b[i]))
+    }
+    #[inline(always)]
+    fn add_ru(self, a: F, b: F) -> F {
+        map!(i => up_one::<R>(a[i] + b[i]))
+    }
+    #[inline(always)]
+    fn mul_rd(self, a: F, b: F) -> F {
+        map!(i => down_one::<R>(a[i] * b[i]))
+    }
+    #[inline(always)]
+    fn mul_ru(self, a: F, b: F) -> F {
+        map!(i => up_one::<R>(a[i] * b[i]))
+    }
+    #[inline(always)]
+    fn div_rd(self, a: F, b: F) -> F {
+        map!(i => down_one::<R>(a[i] / b[i]))
+    }
+    #[inline(always)]
+    fn div_ru(self, a: F, b: F) -> F {
+        map!(i => up_one::<R>(a[i] / b[i]))
+    }
+    #[inline(always)]
+    fn sqrt_rd(self, a: F) -> F {
+        map!(i => down_one::<R>(a[i].sqrt()))
+    }
+    #[inline(always)]
+    fn sqrt_ru(self, a: F) -> F {
+        map!(i => up_one::<R>(a[i].sqrt()))
+    }
+    #[inline(always)]
+    fn fma_rd(self, a: F, b: F, c: F) -> F {
+        fma_down::<R>(&a, &b, &c)
+    }
+    #[inline(always)]
+    fn fma_ru(self, a: F, b: F, c: F) -> F {
+        // The least upper bound of x is the negated greatest lower bound of −x.
+        self.neg_f(fma_down::<R>(&self.neg_f(a), &b, &self.neg_f(c)))
+    }
+}
+
+#[inline(never)]
+fn run_kernel<R: Rounding, K: Kernel>(p: Portable<R>, kernel: K) -> K::Output {
+    kernel.run(p)
+}
+
+#[inline(never)]
+fn call_routine<R: Rounding, T: Routine<Portable<R>>>(p: Portable<R>, routine: T) -> T::Output {
+    routine.call(p)
+}
+
+/// Lower bounds of a·b + c: out of line, for it is long.
+#[inline(never)]
+fn fma_down<R: Rounding>(a: &F, b: &F, c: &F) -> F {
+    map!(i => error_free::fma_down::<R>(a[i], b[i], c[i]))
+}
+
+/// Forwards interval operations to functions that are not inlined: in long formulas eight-lane loops inlined hundreds
+/// of times take minutes to compile and run no faster.
+macro_rules! not_inlined {
+    ($($name:ident($($operand:ident: $kind:ty),*) = $body:expr;)*) => {
+        $(#[inline(always)]
+        fn $name(self, $($operand: $kind),*) -> Interval<F> {
+            #[inline(never)]
+            fn inner<R: Rounding>(p: Portable<R>, $($operand: $kind),*) -> Interval<F> {
+                $body(p, $($operand),*)
+            }
+            inner(self, $($operand),*)
+        })*
+    };
+}
+
+impl<R: Rounding> Enclose for Portable<R> {
+    not_inlined! {
+        i_add(a: Interval<F>, b: Interval<F>) = add;
+        i_sub(a: Interval<F>, b: Interval<F>) = sub;
+        i_mul(a: Interval<F>, b: Interval<F>) = mul;
+        i_powi(a: Interval<F>, n: u32) = functions::power::powi;
+    }
+}
+
+#[inline(always)]
+fn add<R: Rounding>(p: Portable<R>, a: Interval<F>, b: Interval<F>) -> Interval<F> {
+    Interval {
+        lo: p.add_rd(a.lo, b.lo),
+        hi: p.add_ru(a.hi, b.hi),
+    }
+}
+
+#[inline(always)]
+fn sub<R: Rounding>(p: Portable<R>, a: Interval<F>, b: Interval<F>) -> Interval<F> {
+    Interval {
+        lo: p.sub_rd(a.lo, b.hi),
+        hi: p.sub_ru(a.hi, b.lo),
+    }
+}
+
+/// Four products to nearest; widened once per bound, after the minimum and maximum. See
+/// [`Enclose::i_mul`] for the NaN of 0·∞.
+#[inline(always)]
+fn mul<R: Rounding>(p: Portable<R>, a: Interval<F>, b: Interval<F>) -> Interval<F> {
+    let last = p.mend(p.mul_rn(a.hi, b.hi));
+    let (x, y, z) = (
+        p.mul_rn(a.hi, b.lo),
+        p.mul_rn(a.lo, b.hi),
+        p.mul_rn(a.lo, b.lo),
+    );
+    let lo = p.min_f(z, p.min_f(y, p.min_f(x, last)));
+    let hi = p.max_f(z, p.max_f(y, p.max_f(x, last)));
+    Interval {
+        lo: map!(i => down_one::<R>(lo[i])),
+        hi: map!(i => up_one::<R>(hi[i])),
+    }
+}
