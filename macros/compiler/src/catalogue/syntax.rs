@@ -1,0 +1,60 @@
+//! Tokens of the language in the wrong place.
+
+use crate::diagnostic::{Diagnostic, Place};
+
+messages! {
+    /// Nothing at all.
+    no_formula() "expected a formula";
+    /// `x^2 +`
+    value_after() "expected a value after this";
+    /// `* x`
+    value_found(found: &str) "expected a value, found `{found}`";
+    /// `x y`, `2(x + y)`
+    juxtaposed() "expected an operator before this" => "use `*`";
+    /// `x, y`
+    unexpected(found: &str) "expected an operator, found `{found}`";
+    /// `x = y = z`
+    second_equation() "a formula has at most one `=`";
+    /// `sin(x = 1)`
+    equation_inside() "an equation is not a value" => "an equation stands alone: `f = g`";
+    /// `x + y;`
+    discarded() "the formula's value is discarded" => "remove the `;`";
+    /// `a = x + y; a^2`
+    discarded_binding(name: &str) "the formula's value is discarded" => "name it: `let {name} = …;`";
+    /// `x + y; x`
+    discarded_early() "this value is discarded" => "a formula has one value: name this one with `let`, or remove it";
+    /// `let a = x^2 a`
+    let_end() "expected `;` at the end of this `let`";
+    /// `let mut a = x;`
+    let_mut() "bindings in a formula cannot be `mut`" => "remove `mut`";
+    /// `let 2 = x;`
+    let_name(found: &str) "expected a name after `let`, found `{found}`";
+    /// `let a: f64 = x;`
+    let_type() "bindings in a formula carry no type" => "remove the type";
+    /// `let a x;`
+    let_equals(name: &str) "expected `=` after `let {name}`";
+    /// `if x > 0 { y }`
+    no_else() "this `if` has no `else`" => "a value is needed everywhere: `else {{ … }}`";
+    /// `if { x }`
+    no_condition() "expected a comparison after this";
+    /// `if x > 0 y`, `sum(i in 0..3) x`
+    block(after: &str) "expected a block after this {after}" => "put the value in braces: `{{ … }}`";
+    /// `0 < x < 1`
+    chained() "comparisons cannot be chained" => "write `a < x && x < b`";
+    /// `for i in 0..8 { … }`
+    loop_statement() "loops are not formulas" => "write `sum(i in 0..8) {{ … }}`";
+    /// `match x { … }`
+    match_statement() "`match` is not part of a formula" => "write `if … {{ … }} else {{ … }}`";
+    /// `0..=7`
+    inclusive_range(instead: &str) "ranges here are half open" => "write `{instead}`";
+    /// `mean(i in 0..8) { … }`
+    not_a_fold(name: &str) "`{name}` cannot fold" => "the folds are `sum`, `prod`, `min` and `max`";
+    /// `sum(i in 0..8, j in 0..8) { … }`
+    two_patterns() "a fold runs over one range or table" => "put one fold inside another";
+    /// `sum([1, x] in t) { … }`
+    pattern() "expected a name or `_`";
+    /// `x.length`
+    member(name: &str) "a number has no member `{name}`" => "a method is called with brackets: `x.sin()`";
+    /// 300 brackets.
+    too_deep(most: u16) "this formula is nested deeper than {most} levels" => "name parts of it with `let`";
+}

@@ -1,0 +1,67 @@
+//! `if a < b { … } else { … }`
+
+use super::token::Cursor;
+use super::{Parser, error};
+use crate::ast::{Expr, ExprKind};
+use crate::catalogue::syntax;
+use proc_macro2::Delimiter;
+
+impl Parser<'_> {
+    /// An `if` and everything that belongs to it.
+    pub(super) fn branch(&mut self, cursor: &mut Cursor) -> Expr {
+        let place = cursor.place();
+        cursor.take();
+        let condition = self.condition(cursor);
+        let then = self.branch_block(cursor, "`if`");
+        let otherwise = if cursor.eat_word("else").is_none() {
+            // After a missing block the `else` is not looked for.
+            if cursor.last().order > condition.place.order && !is_error(&then) {
+                self.report(syntax::no_else(place));
+            }
+            error(place, Vec::new())
+        } else if cursor.at_word("if") {
+            self.deeper(cursor, Self::branch)
+                .unwrap_or_else(|| error(place, Vec::new()))
+        } else {
+            self.branch_block(cursor, "`else`")
+        };
+        let place = place.to(cursor.last());
+        self.expr(ExprKind::If(Box::new([condition, then, otherwise])), place)
+    }
+
+    /// What stands between `if` and its block.
+    fn condition(&mut self, cursor: &mut Cursor) -> Expr {
+        if cursor.at_end() || cursor.group(0, Delimiter::Brace).is_some() {
+            let place = cursor.last();
+            self.report(syntax::no_condition(place));
+            return error(place, Vec::new());
+        }
+        let outer = (cursor.condition, cursor.bars, cursor.binding);
+        (cursor.condition, cursor.bars, cursor.binding) = (true, 0, false);
+        let condition = self.expression(cursor);
+        (cursor.condition, cursor.bars, cursor.binding) = outer;
+        if cursor.operator(0) == "=" {
+            self.report(crate::catalogue::tokens::equality_test(cursor.place(), "="));
+            cursor.take();
+            let right = self.expression(cursor);
+            return error(condition.place, vec![condition, right]);
+        }
+        condition
+    }
+
+    /// A block of an `if`, as an expression.
+    fn branch_block(&mut self, cursor: &mut Cursor, after: &str) -> Expr {
+        if cursor.group(0, Delimiter::Brace).is_none() {
+            let place = cursor.last();
+            self.report(syntax::block(place, after));
+            return error(place, Vec::new());
+        }
+        let place = cursor.place();
+        let body = self.block(cursor, after);
+        self.expr(ExprKind::Block(Box::new(body)), place)
+    }
+}
+
+fn is_error(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Error(_))
+}

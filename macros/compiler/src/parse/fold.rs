@@ -1,0 +1,172 @@
+//! Folds: `sum([a, b] in t) { … }`.
+
+use super::primary::whole;
+use super::token::{Cursor, Token, TokenKind};
+use super::{Parser, error, keyword, name};
+use crate::ast::{Body, Expr, ExprKind, Fold, Name, Over, Pattern};
+use crate::catalogue::syntax;
+use crate::tree::FoldKind;
+use num_rational::BigRational;
+use num_traits::One;
+use proc_macro2::{Delimiter, Group};
+
+/// The fold of this name.
+pub(crate) fn kind(name: &str) -> Option<FoldKind> {
+    match name {
+        "sum" => Some(FoldKind::Sum),
+        "prod" => Some(FoldKind::Product),
+        "min" => Some(FoldKind::Minimum),
+        "max" => Some(FoldKind::Maximum),
+        _ => None,
+    }
+}
+
+impl Parser<'_> {
+    /// Does `pattern in` stand here?
+    pub(super) fn fold_ahead(inner: &Cursor) -> bool {
+        let pattern = inner.word(0).is_some() || inner.group(0, Delimiter::Bracket).is_some();
+        pattern && inner.word(1).is_some_and(|word| word == "in")
+    }
+
+    /// A fold. Its name is taken; `group` is next.
+    pub(super) fn fold(&mut self, cursor: &mut Cursor, folder: Name, group: &Group) -> Expr {
+        let kind = kind(&folder.text);
+        if kind.is_none() {
+            self.report(syntax::not_a_fold(folder.place, &folder.text));
+        }
+        cursor.take();
+        let mut inner = cursor.inside(group);
+        let pattern = self.pattern(&mut inner);
+        inner.take();
+        let over = self.over(&mut inner);
+        if inner.operator(0) == "," && inner.token(1).is_some() {
+            self.report(syntax::two_patterns(inner.place()));
+        } else if inner.operator(0) != "," {
+            self.leftover(&mut inner, &[]);
+        }
+        let body = self.block(cursor, &format!("`{}`", folder.text));
+        let place = folder.place.to(cursor.last());
+        let fold = Fold {
+            kind,
+            pattern,
+            over,
+            body,
+        };
+        self.expr(ExprKind::Fold(Box::new(fold)), place)
+    }
+
+    /// The variables before `in`.
+    pub(super) fn pattern(&mut self, cursor: &mut Cursor) -> Pattern {
+        let place = cursor.place();
+        let mut names = Vec::new();
+        let Some(group) = cursor.group(0, Delimiter::Bracket).cloned() else {
+            names.extend(self.variable(cursor));
+            return Pattern {
+                names,
+                list: false,
+                place,
+            };
+        };
+        cursor.take();
+        let mut inner = cursor.inside(&group);
+        let first = inner.place();
+        while !inner.at_end() {
+            names.extend(self.variable(&mut inner));
+            inner.skip_to(&[","]);
+            inner.eat(",");
+        }
+        let place = match names.last() {
+            Some(last) => first.to(last.place),
+            None => place,
+        };
+        Pattern {
+            names,
+            list: true,
+            place,
+        }
+    }
+
+    /// One name, or `_`.
+    fn variable(&mut self, cursor: &mut Cursor) -> Option<Name> {
+        let place = cursor.place();
+        let word = cursor
+            .word(0)
+            .filter(|w| *w == "_" || !keyword(&w.to_string()))
+            .cloned();
+        if word.is_none() {
+            self.report(syntax::pattern(place));
+        }
+        cursor.take();
+        word.map(|word| name(word, place))
+    }
+
+    /// `start..end`, or a table.
+    pub(super) fn over(&mut self, cursor: &mut Cursor) -> Over {
+        let first = self.expression(cursor);
+        let operator = cursor.operator(0);
+        let dots = cursor.place();
+        if !matches!(operator, ".." | "..=" | "...") {
+            return Over::Table(first);
+        }
+        cursor.take();
+        let last = self.expression(cursor);
+        if operator != ".." {
+            let half_open = match (whole(&first), whole(&last)) {
+                (Some(a), Some(b)) => format!("{a}..{}", b + BigRational::one()),
+                _ => "a..b + 1".to_owned(),
+            };
+            self.report(syntax::inclusive_range(dots, &half_open));
+        }
+        Over::Range(first, last)
+    }
+
+    /// A block in braces, which must follow.
+    pub(super) fn block(&mut self, cursor: &mut Cursor, after: &str) -> Body {
+        let last = cursor.last();
+        let Some(group) = cursor.group(0, Delimiter::Brace).cloned() else {
+            self.report(syntax::block(last, after));
+            return Body {
+                lets: Vec::new(),
+                left: error(last, Vec::new()),
+                right: None,
+            };
+        };
+        cursor.take();
+        let mut inner = cursor.inside(&group);
+        inner.condition = false;
+        self.deeper(&mut inner, Self::body).unwrap_or_else(|| Body {
+            lets: Vec::new(),
+            left: error(last, Vec::new()),
+            right: None,
+        })
+    }
+
+    /// `for`, `while` and `loop`, up to and with their block.
+    pub(super) fn loop_statement(&mut self, cursor: &mut Cursor) -> Expr {
+        let place = cursor.place();
+        self.report(syntax::loop_statement(place));
+        self.statement(cursor, place)
+    }
+
+    /// `match`, up to and with its block.
+    pub(super) fn match_statement(&mut self, cursor: &mut Cursor) -> Expr {
+        let place = cursor.place();
+        self.report(syntax::match_statement(place));
+        self.statement(cursor, place)
+    }
+
+    fn statement(&mut self, cursor: &mut Cursor, place: crate::diagnostic::Place) -> Expr {
+        let end = |token: &Token| match &token.kind {
+            TokenKind::Operator(text) => matches!(*text, ";" | ","),
+            _ => false,
+        };
+        while cursor.token(0).is_some_and(|token| !end(token)) {
+            let block = cursor.group(0, Delimiter::Brace).is_some();
+            cursor.take();
+            if block {
+                break;
+            }
+        }
+        error(place, Vec::new())
+    }
+}

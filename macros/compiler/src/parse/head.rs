@@ -1,0 +1,270 @@
+//! The struct of the struct form.
+
+use super::token::{Cursor, Token, TokenKind};
+use super::{Parser, keyword, name};
+use crate::ast::{Expr, Field, Head, Type};
+use crate::catalogue::head;
+use crate::diagnostic::{Place, line};
+use crate::tree::Shape;
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
+
+/// What attributes say.
+#[derive(Default)]
+struct Attributes {
+    /// Those that pass through.
+    tokens: TokenStream,
+    /// The bounds in `#[domain]`.
+    domain: Option<[[Expr; 2]; 3]>,
+    /// Was there a `#[domain]`?
+    domain_seen: bool,
+    /// Was there any attribute?
+    any: bool,
+}
+
+impl Parser<'_> {
+    /// The struct, if the input begins with one.
+    pub(super) fn head(&mut self, cursor: &mut Cursor) -> Option<Head> {
+        let attributes = self.attributes(cursor);
+        let visibility = visibility(cursor);
+        let item = cursor.word(0).map_or(String::new(), Ident::to_string);
+        if item != "struct" {
+            // `pub x^2` lacks the whole head; `pub enum S` is a head with a wrong word.
+            let wrong = matches!(
+                item.as_str(),
+                "enum" | "union" | "fn" | "trait" | "type" | "mod" | "const" | "static"
+            ) && cursor.word(1).is_some();
+            if !wrong && !attributes.any && visibility.is_empty() {
+                return None;
+            }
+            self.report(head::not_a_struct(cursor.place()));
+            if !wrong {
+                return None;
+            }
+        }
+        cursor.take();
+        cursor.open();
+        let name = self.struct_name(cursor);
+        self.generics(cursor);
+        let fields = self.struct_fields(cursor);
+        Some(Head {
+            attributes: attributes.tokens,
+            visibility,
+            name,
+            fields,
+            domain: attributes.domain,
+        })
+    }
+
+    fn struct_name(&mut self, cursor: &mut Cursor) -> Option<Ident> {
+        let word = cursor
+            .word(0)
+            .filter(|word| !keyword(&word.to_string()))
+            .cloned();
+        match word {
+            Some(_) => {
+                cursor.take();
+            }
+            None => self.report(head::struct_name(cursor.last())),
+        }
+        word
+    }
+
+    fn generics(&mut self, cursor: &mut Cursor) {
+        let place = cursor.place();
+        if cursor.operator(0) == "<" {
+            self.report(head::generics(place));
+            while !cursor.at_end()
+                && cursor.operator(0) != ";"
+                && cursor.group(0, Delimiter::Brace).is_none()
+            {
+                cursor.take();
+            }
+        }
+    }
+
+    /// `;` or fields.
+    fn struct_fields(&mut self, cursor: &mut Cursor) -> Vec<Field> {
+        cursor.open();
+        if cursor.eat(";").is_some() {
+            return Vec::new();
+        }
+        if let Some(group) = cursor.group(0, Delimiter::Brace).cloned() {
+            cursor.take();
+            let mut inner = cursor.inside(&group);
+            return self.fields(&mut inner);
+        }
+        if cursor.group(0, Delimiter::Parenthesis).is_some() {
+            self.report(head::tuple_struct(cursor.place()));
+            cursor.take();
+            cursor.eat(";");
+            return Vec::new();
+        }
+        self.report(head::struct_end(cursor.last()));
+        Vec::new()
+    }
+
+    fn fields(&mut self, cursor: &mut Cursor) -> Vec<Field> {
+        let mut fields: Vec<Field> = Vec::new();
+        while !cursor.at_end() {
+            let Some(field) = self.field(cursor) else {
+                cursor.skip_to(&[","]);
+                cursor.eat(",");
+                continue;
+            };
+            match fields.iter().find(|f| f.name.text == field.name.text) {
+                Some(first) => {
+                    let first = match line(first.name.place.start) {
+                        Some(line) => format!("on line {line}"),
+                        None => "above".to_owned(),
+                    };
+                    self.report(head::field_twice(
+                        field.name.place,
+                        &field.name.text,
+                        &first,
+                    ));
+                }
+                None => fields.push(field),
+            }
+        }
+        fields
+    }
+
+    /// One field with the `,` after it.
+    fn field(&mut self, cursor: &mut Cursor) -> Option<Field> {
+        let attributes = self.attributes(cursor);
+        let visibility = visibility(cursor);
+        cursor.open();
+        let place = cursor.place();
+        let word = cursor
+            .word(0)
+            .filter(|word| !keyword(&word.to_string()))
+            .cloned();
+        let Some(word) = word else {
+            let found = cursor.token(0).map_or("}".to_owned(), Token::text);
+            self.report(head::field_name(place, &found));
+            return None;
+        };
+        cursor.take();
+        let name = name(word, place);
+        self.field_hides(&name.text, place);
+        let ty = if cursor.eat(":").is_some() {
+            self.ty(cursor)
+        } else {
+            self.report(head::field_without_type(place, &name.text));
+            Type {
+                shape: Shape::Number,
+                tokens: quote::quote_spanned!(place.start=> f64),
+            }
+        };
+        let default = cursor.eat("=").map(|_| self.expression(cursor));
+        self.field_end(cursor);
+        Some(Field {
+            attributes: attributes.tokens,
+            visibility,
+            name,
+            ty,
+            default,
+        })
+    }
+
+    /// The `,` after a field. Where it is missing, the next field may follow at once.
+    fn field_end(&mut self, cursor: &mut Cursor) {
+        if cursor.eat(",").is_some() {
+            return;
+        }
+        let Some(text) = cursor.token(0).map(Token::text) else {
+            return;
+        };
+        self.report(head::field_end(cursor.place(), &text));
+        if cursor.operator(1) != ":" {
+            cursor.skip_to(&[","]);
+            cursor.eat(",");
+        }
+    }
+
+    fn field_hides(&mut self, name: &str, place: Place) {
+        match name {
+            "x" | "y" | "z" => self.report(head::field_hides_coordinate(place, name)),
+            "pi" | "tau" => self.report(head::field_hides_constant(place, name)),
+            _ => {}
+        }
+    }
+
+    /// All attributes that stand here.
+    fn attributes(&mut self, cursor: &mut Cursor) -> Attributes {
+        let mut attributes = Attributes::default();
+        cursor.open();
+        while cursor.operator(0) == "#" {
+            attributes.any = true;
+            let place = cursor.place();
+            cursor.take();
+            if cursor.operator(0) == "!" {
+                cursor.take();
+                self.report(head::inner_attribute(place.to(cursor.last())));
+                cursor.take();
+                cursor.open();
+                continue;
+            }
+            let Some(group) = cursor.group(0, Delimiter::Bracket).cloned() else {
+                break;
+            };
+            cursor.take();
+            if !self.domain_attribute(cursor, &group, &mut attributes) {
+                let mut hash = Punct::new('#', Spacing::Alone);
+                hash.set_span(place.start);
+                attributes
+                    .tokens
+                    .extend([TokenTree::from(hash), TokenTree::from(group)]);
+            }
+            cursor.open();
+        }
+        attributes
+    }
+
+    /// Is this attribute the domain?
+    fn domain_attribute(
+        &mut self,
+        cursor: &Cursor,
+        group: &Group,
+        attributes: &mut Attributes,
+    ) -> bool {
+        let mut inner = cursor.inside(group);
+        inner.open();
+        if !inner.at_word("domain") {
+            return false;
+        }
+        let place = inner.place();
+        if std::mem::replace(&mut attributes.domain_seen, true) {
+            self.report(head::domain_twice(place));
+            return true;
+        }
+        inner.take();
+        match inner.group(0, Delimiter::Parenthesis).cloned() {
+            Some(axes) => {
+                let mut axes = inner.inside(&axes);
+                attributes.domain = self.domain(&mut axes, place);
+            }
+            None => self.report(head::domain_axes(place)),
+        }
+        true
+    }
+}
+
+/// `pub`, `pub(crate)` or nothing.
+fn visibility(cursor: &mut Cursor) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    cursor.open();
+    let Some(word) = cursor.word(0).filter(|word| *word == "pub").cloned() else {
+        return tokens;
+    };
+    cursor.take();
+    tokens.extend([TokenTree::from(word)]);
+    if let Some(TokenKind::Group(group)) = cursor.peek(0).cloned()
+        && group.delimiter() == Delimiter::Parenthesis
+    {
+        cursor.take();
+        tokens.extend([TokenTree::from(group)]);
+    }
+    cursor.open();
+    tokens
+}

@@ -1,0 +1,186 @@
+//! From [`crate::ast`] to [`crate::tree`]: what each name means, and whether every part has the shape it needs.
+
+mod call;
+mod condition;
+mod constant;
+mod expression;
+mod fields;
+mod fold;
+mod names;
+mod nearest;
+mod scope;
+mod table;
+
+use crate::ast::{Body, Expr, Input, Name};
+use crate::catalogue::shapes;
+use crate::diagnostic::Diagnostics;
+use crate::tree::{self, Formula, Term, TermKind};
+use num_rational::BigRational;
+use proc_macro2::TokenStream;
+use scope::Scope;
+use std::collections::HashSet;
+
+/// Resolves a whole input. With mistakes in it the result is of no use.
+pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
+    let mut resolver = Resolver {
+        diagnostics,
+        expression_form: input.head.is_none(),
+        setting: Setting::Formula,
+        fields: Vec::new(),
+        lets: Vec::new(),
+        facts: Vec::new(),
+        folds: Vec::new(),
+        scope: Scope::default(),
+        declared: HashSet::new(),
+        entries: 0,
+    };
+    let mut formula = Formula {
+        attributes: TokenStream::new(),
+        visibility: TokenStream::new(),
+        name: None,
+        fields: Vec::new(),
+        domain: None,
+        lets: Vec::new(),
+        folds: Vec::new(),
+        left: nothing(&input.body.left),
+        right: None,
+    };
+    if let Some(head) = input.head {
+        formula.domain = head.domain.and_then(|domain| resolver.domain(&domain));
+        resolver.declare_fields(head.fields);
+        formula.attributes = head.attributes;
+        formula.visibility = head.visibility;
+        formula.name = head.name;
+    }
+    if let Some((left, right)) = resolver.formula(&input.body) {
+        formula.left = left;
+        formula.right = right;
+    }
+    formula.fields = resolver.fields;
+    formula.lets = resolver.lets;
+    formula.folds = resolver.folds;
+    formula
+}
+
+/// Stands for a formula that has mistakes.
+fn nothing(at: &Expr) -> Term {
+    Term {
+        kind: TermKind::Number(BigRational::from_integer(0.into())),
+        source: at.place.source(),
+    }
+}
+
+/// Where an expression stands, and so what it may be made of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Setting {
+    /// The formula: everything.
+    Formula,
+    /// The default of a field: constants.
+    Default,
+    /// A bound of the domain: constants.
+    Domain,
+}
+
+/// A resolved number.
+struct Value {
+    term: Term,
+    /// Its value, where that is a rational number that the compiler knows.
+    constant: Option<BigRational>,
+    /// Does it depend on the point?
+    moves: bool,
+}
+
+/// What is known of a `let`.
+struct Fact {
+    constant: Option<BigRational>,
+    moves: bool,
+}
+
+/// The state of the resolution. Every method that returns `None` has reported why.
+struct Resolver<'a> {
+    diagnostics: &'a mut Diagnostics,
+    /// In the expression form unknown names are captured locals.
+    expression_form: bool,
+    setting: Setting,
+    fields: Vec<tree::Field>,
+    lets: Vec<tree::Let>,
+    /// One fact per `let`.
+    facts: Vec<Fact>,
+    folds: Vec<tree::Fold>,
+    scope: Scope,
+    /// Every name that is declared anywhere in the formula.
+    declared: HashSet<String>,
+    /// Entries of default lists so far.
+    entries: usize,
+}
+
+impl Resolver<'_> {
+    /// The whole formula: its two sides.
+    fn formula(&mut self, body: &Body) -> Option<(Term, Option<Term>)> {
+        self.declare_all(body);
+        self.bindings(body);
+        if body.right.is_none() && self.inequality(&body.left) {
+            return None;
+        }
+        let left = self.value(&body.left);
+        let right = body.right.as_ref().map(|right| self.value(right));
+        let (left, right) = match right {
+            Some(right) => (left?, Some(right?)),
+            None => (left?, None),
+        };
+        let moves = left.moves || right.as_ref().is_some_and(|r| r.moves);
+        // After another mistake the coordinate may be just what is missing.
+        if !moves && self.diagnostics.is_empty() {
+            let last = body.right.as_ref().map_or(body.left.place, |r| r.place);
+            self.diagnostics
+                .push(shapes::constant_formula(body.left.place.to(last)));
+        }
+        Some((left.term, right.map(|r| r.term)))
+    }
+
+    /// The value of a block. An equation means the difference of its sides.
+    fn body(&mut self, body: &Body) -> Option<Value> {
+        let outer = self.scope.mark();
+        self.bindings(body);
+        let left = self.value(&body.left);
+        let value = match &body.right {
+            None => left,
+            Some(right) => {
+                let right_value = self.value(right);
+                let place = body.left.place.to(right.place);
+                left.zip(right_value)
+                    .map(|(left, right)| self.difference(place, left, right))
+            }
+        };
+        self.scope.leave(outer);
+        value
+    }
+
+    /// The `let`s of a body, which stay in scope.
+    fn bindings(&mut self, body: &Body) {
+        for binding in &body.lets {
+            let value = self.value(&binding.value);
+            let Some(name) = &binding.name else { continue };
+            if !self.may_declare(name) {
+                continue;
+            }
+            match value {
+                Some(value) => self.bind(name, value),
+                None => self.scope.declare(&name.text, scope::Meaning::Mistake),
+            }
+        }
+    }
+
+    fn bind(&mut self, name: &Name, value: Value) {
+        self.scope
+            .declare(&name.text, scope::Meaning::Let(self.lets.len()));
+        self.facts.push(Fact {
+            constant: value.constant,
+            moves: value.moves,
+        });
+        self.lets.push(tree::Let {
+            name: name.ident.clone(),
+            value: value.term,
+        });
+    }
+}
