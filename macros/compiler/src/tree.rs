@@ -46,7 +46,7 @@ pub struct Field {
 }
 
 /// The default of a field.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Default {
     /// Of a number.
     Number(Term),
@@ -79,6 +79,8 @@ pub struct Let {
 pub struct Fold {
     /// The loop variables as declared, for the scalar evaluator.
     pub names: Vec<Ident>,
+    /// Do the names stand in brackets, one per number of a row?
+    pub list: bool,
     /// The range or the table.
     pub over: Over,
 }
@@ -100,7 +102,7 @@ pub enum Over {
 }
 
 /// An index of a table.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Index {
     /// A whole number, checked against the length where that is known.
     Constant(usize),
