@@ -102,6 +102,15 @@ pub trait Enclose: Lanes {
         let lo = p.div_rd(num_lo, p.select(p.lt(num_lo, zero), den_lo, den_hi));
         // 0/0 here is the upper bound of [x, 0]/(0, d], which is 0. With b = [0, 0] both bounds are set below.
         let hi = p.mend(p.div_ru(num_hi, p.select(p.lt(num_hi, zero), den_hi, den_lo)));
+        // Widening must not cost the sign of a quotient that has one.
+        let (lo, hi) = if Self::OPTIMAL {
+            (lo, hi)
+        } else {
+            (
+                p.select(p.lt(num_lo, zero), lo, p.max_f(lo, zero)),
+                p.select(p.lt(zero, num_hi), hi, p.min_f(hi, zero)),
+            )
+        };
         let inside = p.and(p.lt(b.lo, zero), p.lt(zero, b.hi));
         let none = p.and(p.eq(b.lo, zero), p.eq(b.hi, zero));
         let line = p.or(inside, none);
@@ -119,9 +128,18 @@ pub trait Enclose: Lanes {
         let inside = p.and(p.lt(a.lo, zero), p.lt(zero, a.hi));
         let low = p.or(inside, p.eq(a.hi, zero));
         let high = p.or(inside, p.eq(a.lo, zero));
+        let (lo, hi) = (p.div_rd(one, a.hi), p.div_ru(one, a.lo));
+        let (lo, hi) = if Self::OPTIMAL {
+            (lo, hi)
+        } else {
+            (
+                p.select(p.lt(a.lo, zero), lo, p.max_f(lo, zero)),
+                p.select(p.lt(zero, a.hi), hi, p.min_f(hi, zero)),
+            )
+        };
         Interval {
-            lo: p.select(low, p.splat(f64::NEG_INFINITY), p.div_rd(one, a.hi)),
-            hi: p.select(high, p.splat(f64::INFINITY), p.div_ru(one, a.lo)),
+            lo: p.select(low, p.splat(f64::NEG_INFINITY), lo),
+            hi: p.select(high, p.splat(f64::INFINITY), hi),
         }
     }
 

@@ -1,18 +1,76 @@
 //! Which instruction set a render uses.
 
-use super::{Kernel, Portable};
+#[cfg(target_arch = "x86_64")]
+use super::{Avx2, Avx512};
+use super::{Kernel, Lanes, Portable};
 
 /// A back-end that this processor has. It is chosen once per render; [`run`](Self::run) enters it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Isa(Kind);
+#[derive(Clone, Copy, Debug)]
+pub struct Isa(Token);
 
-/// The back-ends, best first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Kind {
-    Portable,
-    #[cfg(feature = "unrounded")]
-    PortableUnrounded,
+/// Declares the tokens (one that this processor lacks cannot be made) and what is done with each of them.
+macro_rules! tokens {
+    ($($(#[$condition:meta])* $variant:ident($token:ty) = $detect:expr;)*) => {
+        #[derive(Clone, Copy, Debug)]
+        enum Token {
+            $($(#[$condition])* $variant($token),)*
+        }
+
+        impl Isa {
+            /// Every back-end of this processor, best first, then those without rounding.
+            fn all() -> Vec<Isa> {
+                let mut all = Vec::new();
+                $($(#[$condition])* {
+                    let token: Option<$token> = $detect;
+                    all.extend(token.map(|token| Isa(Token::$variant(token))));
+                })*
+                all
+            }
+
+            /// Runs `kernel` with this back-end's token.
+            pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+                match self.0 {
+                    $($(#[$condition])* Token::$variant(p) => p.kernel(kernel),)*
+                }
+            }
+
+            /// The name that `ZEROSET_ISA` takes.
+            pub fn name(self) -> &'static str {
+                match self.0 {
+                    $($(#[$condition])* Token::$variant(_) => <$token>::NAME,)*
+                }
+            }
+
+            /// False for the back-ends whose bounds do not hold.
+            fn is_directed(self) -> bool {
+                match self.0 {
+                    $($(#[$condition])* Token::$variant(_) => <$token>::DIRECTED,)*
+                }
+            }
+        }
+    };
 }
+
+tokens! {
+    #[cfg(target_arch = "x86_64")]
+    Avx512(Avx512) = Avx512::detect();
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Avx2) = Avx2::detect();
+    Portable(Portable) = Some(Portable::new());
+    #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
+    Avx512Unrounded(Avx512<super::ToNearest>) = Avx512::detect();
+    #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
+    Avx2Unrounded(Avx2<super::ToNearest>) = Avx2::detect();
+    #[cfg(feature = "unrounded")]
+    PortableUnrounded(Portable<super::ToNearest>) = Some(Portable::new());
+}
+
+/// Names of the back-ends and the processor features that they need.
+const KNOWN: [(&str, &str); 3] = [
+    ("avx512", "avx512f, avx512dq"),
+    ("avx2", "avx2, fma"),
+    ("portable", "none"),
+];
 
 /// Why there is no such back-end.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -25,7 +83,7 @@ pub enum IsaError {
     },
     /// The back-end exists, and this processor cannot run it.
     #[error(
-        "this processor has no {name}: it lacks one of {needs}; without ZEROSET_ISA the best that it has is used"
+        "this processor has no {name}, which needs {needs}: unset ZEROSET_ISA to use the best that it has"
     )]
     Missing {
         /// The name as given.
@@ -55,47 +113,41 @@ impl Isa {
     /// # Errors
     /// If there is none, or this processor lacks it.
     pub fn named(name: &str) -> Result<Isa, IsaError> {
-        match name {
-            "portable" => Ok(Isa(Kind::Portable)),
-            #[cfg(feature = "unrounded")]
-            "portable-unrounded" => Ok(Isa(Kind::PortableUnrounded)),
-            _ => Err(IsaError::Unknown {
+        if let Some(isa) = Self::all().into_iter().find(|isa| isa.name() == name) {
+            return Ok(isa);
+        }
+        match KNOWN.iter().find(|known| known.0 == name) {
+            Some(&(name, needs)) => Err(IsaError::Missing { name, needs }),
+            None => Err(IsaError::Unknown {
                 name: name.to_owned(),
             }),
         }
     }
 
-    /// All back-ends of this processor whose bounds hold, best first. Never empty.
+    /// All back-ends of this processor whose bounds hold, best first; the portable one is always among them.
     pub fn available() -> Vec<Isa> {
-        vec![Isa(Kind::Portable)]
+        let mut all = Self::all();
+        all.retain(|isa| isa.is_directed());
+        all
     }
 
-    /// The same back-ends with rounding switched off, for negative controls.
+    /// The back-ends with rounding switched off, for negative controls and to measure what rounding costs.
     #[cfg(feature = "unrounded")]
     #[doc(hidden)]
     pub fn unrounded() -> Vec<Isa> {
-        vec![Isa(Kind::PortableUnrounded)]
-    }
-
-    /// Runs `kernel` with this back-end's token.
-    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
-        use super::Lanes;
-        match self.0 {
-            Kind::Portable => Portable::<super::Directed>::new().kernel(kernel),
-            #[cfg(feature = "unrounded")]
-            Kind::PortableUnrounded => Portable::<super::ToNearest>::new().kernel(kernel),
-        }
-    }
-
-    /// The name that `ZEROSET_ISA` takes.
-    pub fn name(self) -> &'static str {
-        match self.0 {
-            Kind::Portable => "portable",
-            #[cfg(feature = "unrounded")]
-            Kind::PortableUnrounded => "portable-unrounded",
-        }
+        let mut all = Self::all();
+        all.retain(|isa| !isa.is_directed());
+        all
     }
 }
+
+impl PartialEq for Isa {
+    fn eq(&self, other: &Isa) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for Isa {}
 
 impl std::fmt::Display for Isa {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

@@ -24,6 +24,9 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     const NAME: &'static str;
     /// False in the back-ends that exist for negative controls: their bounds are rounded to nearest.
     const DIRECTED: bool;
+    /// Are directed results the optimal ones, so that they have the sign of the exact result (or are 0)? Where they are
+    /// not, an exact 0 may be widened to the smallest subnormal.
+    const OPTIMAL: bool;
 
     /// Runs `kernel` as one function of its own, compiled for this instruction set, into which everything that
     /// it calls is inlined. This is where inlining stops.

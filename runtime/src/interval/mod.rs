@@ -1,6 +1,10 @@
 //! Intervals, packets of intervals, and their back-ends.
 
 mod arithmetic;
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
 mod enclose;
 mod flags;
 mod forward;
@@ -17,6 +21,10 @@ mod rounding;
 mod scalar;
 
 pub use arithmetic::Arithmetic;
+#[cfg(target_arch = "x86_64")]
+pub use avx2::Avx2;
+#[cfg(target_arch = "x86_64")]
+pub use avx512::Avx512;
 pub use flags::{Flags, Jet, Truth, Undecided};
 pub use functions::UNPROVED;
 pub use isa::{Isa, IsaError};

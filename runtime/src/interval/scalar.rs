@@ -115,6 +115,7 @@ impl Lanes for Scalar {
     const LANES: usize = 1;
     const NAME: &'static str = "scalar";
     const DIRECTED: bool = true;
+    const OPTIMAL: bool = true;
 
     #[inline(always)]
     fn kernel<K: Kernel>(self, kernel: K) -> K::Output {

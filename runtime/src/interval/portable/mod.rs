@@ -97,6 +97,7 @@ impl<R: Rounding> Lanes for Portable<R> {
         "portable-unrounded"
     };
     const DIRECTED: bool = R::ON;
+    const OPTIMAL: bool = false;
 
     #[inline(always)]
     fn kernel<K: Kernel>(self, kernel: K) -> K::Output {
