@@ -1,0 +1,234 @@
+//! From a scene to a picture whose pixels are proved.
+
+mod assemble;
+mod options;
+mod rendering;
+mod statistics;
+pub(crate) mod tile;
+
+pub use options::{Options, Progress};
+pub use rendering::{Pixel, Rendering};
+pub use statistics::{Phases, Statistics};
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+use rayon::prelude::*;
+
+use crate::camera::{Camera, Ray};
+use crate::interval::{Isa, IsaError};
+use crate::scene::{Prepared, Scene, SceneError, hull};
+use crate::verdict::{Answer, Verdict};
+use rendering::Piece;
+use tile::{TILE, Tile};
+
+/// A picture that cannot be rendered.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// The scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The instruction set.
+    #[error(transparent)]
+    Isa(#[from] IsaError),
+    /// The picture has no pixels, or too many.
+    #[error("a picture of {width}×{height} pixels: give a width and a height from 1 to 65536")]
+    BadSize {
+        /// The width as given.
+        width: u32,
+        /// The height as given.
+        height: u32,
+    },
+    /// The threads could not be started.
+    #[error("the render's threads could not be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// A ray's numbers are not finite, or its direction is (nearly) zero.
+    #[error(
+        "not a ray: give a finite origin within ±1e150, and a direction whose largest component is between 1e-150 and 1e150"
+    )]
+    BadRay,
+}
+
+/// Renders a scene.
+///
+/// # Errors
+/// If a parameter is not finite, a surface has no domain, the size is out of range, or the instruction set that was
+/// asked for does not exist here. Each error says what to do.
+pub fn render(scene: &Scene, camera: &Camera, options: &Options) -> Result<Rendering, RenderError> {
+    let fits = |n: u32| (1..=65536).contains(&n);
+    if !fits(options.width) || !fits(options.height) {
+        return Err(RenderError::BadSize {
+            width: options.width,
+            height: options.height,
+        });
+    }
+    let isa = match options.isa {
+        Some(isa) => isa,
+        None => Isa::detect()?,
+    };
+    match options.threads {
+        None => Ok(Job::new(scene, camera, options, isa)?.run()),
+        Some(threads) => {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()?;
+            pool.install(|| Ok(Job::new(scene, camera, options, isa)?.run()))
+        }
+    }
+}
+
+/// All events along one ray against each surface of a scene, in ascending order.
+///
+/// Answers count t from their own entry into the surface's box.
+///
+/// # Errors
+/// As [`render`], and if the ray is not one.
+pub fn all_roots(
+    scene: &Scene,
+    ray: &Ray,
+    options: &Options,
+) -> Result<Vec<(f64, Vec<Verdict>)>, RenderError> {
+    check_ray(ray)?;
+    let boxes = scene.boxes()?;
+    let isa = match options.isa {
+        Some(isa) => isa,
+        None => Isa::detect()?,
+    };
+    let surfaces = scene.surfaces.iter().zip(&boxes);
+    Ok(surfaces
+        .map(|(surface, domain)| {
+            let (entry, events, _) =
+                surface
+                    .prepare()
+                    .all_roots(isa, &options.settings, domain, ray);
+            (entry, events)
+        })
+        .collect())
+}
+
+fn check_ray(ray: &Ray) -> Result<(), RenderError> {
+    let speed = ray.direction.abs().max_element();
+    let fine = ray.origin.is_finite()
+        && ray.origin.abs().max_element() <= 1e150
+        && ray.direction.is_finite()
+        && (1e-150..=1e150).contains(&speed);
+    if fine {
+        Ok(())
+    } else {
+        Err(RenderError::BadRay)
+    }
+}
+
+/// One render.
+struct Job<'a> {
+    camera: &'a Camera,
+    options: &'a Options<'a>,
+    isa: Isa,
+    names: Vec<&'static str>,
+    prepared: Vec<Box<dyn Prepared + 'a>>,
+    boxes: Vec<[[f64; 3]; 2]>,
+    /// The box around all boxes; nothing without surfaces.
+    domain: Option<[[f64; 3]; 2]>,
+}
+
+impl<'a> Job<'a> {
+    fn new(
+        scene: &'a Scene,
+        camera: &'a Camera,
+        options: &'a Options<'a>,
+        isa: Isa,
+    ) -> Result<Self, RenderError> {
+        let boxes = scene.boxes()?;
+        let domain = hull(&boxes);
+        check_ray(&camera.ray(0, 0, options.width, options.height, options.sampling))?;
+        Ok(Job {
+            camera,
+            options,
+            isa,
+            names: scene.surfaces.iter().map(|s| s.name()).collect(),
+            prepared: scene.surfaces.iter().map(|s| s.prepare()).collect(),
+            boxes,
+            domain,
+        })
+    }
+
+    fn run(self) -> Rendering {
+        let start = Instant::now();
+        let picture = [self.options.width, self.options.height];
+        let columns = picture[0].div_ceil(TILE);
+        let tiles = columns * picture[1].div_ceil(TILE);
+        let done = AtomicUsize::new(0);
+        let pieces: Vec<Piece> = (0..tiles)
+            .into_par_iter()
+            .map(|number| {
+                let piece = self.piece([number % columns * TILE, number / columns * TILE]);
+                if let Some(progress) = self.options.progress {
+                    let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                    progress(Progress {
+                        done,
+                        of: tiles as usize,
+                    });
+                }
+                piece
+            })
+            .collect();
+        let mut statistics = Statistics::new(self.isa.name(), rayon::current_num_threads());
+        for piece in &pieces {
+            statistics.add(piece);
+        }
+        statistics.elapsed = start.elapsed();
+        Rendering::new(picture, pieces, self.names, statistics)
+    }
+
+    /// Traces one tile.
+    fn piece(&self, corner: [u32; 2]) -> Piece {
+        let options = self.options;
+        let size = [
+            TILE.min(options.width - corner[0]),
+            TILE.min(options.height - corner[1]),
+        ];
+        let Some(domain) = &self.domain else {
+            return Piece::empty(size);
+        };
+        let mut phases = Phases::default();
+        let clock = Instant::now();
+        let mut tile: Tile = self.isa.run(tile::Rays {
+            camera: self.camera,
+            picture: [options.width, options.height],
+            sampling: options.sampling,
+            domain,
+            corner,
+            size,
+        });
+        phases.rays = clock.elapsed();
+        for (index, (surface, own)) in self.prepared.iter().zip(&self.boxes).enumerate() {
+            surface.trace(self.isa, &options.settings, own, index as u16, &mut tile);
+        }
+        let specials = assemble::specials(&mut tile);
+        phases.roots = clock.elapsed() - phases.rays;
+        if options.normals {
+            for (index, surface) in self.prepared.iter().enumerate() {
+                surface.normals(self.isa, index as u16, &mut tile);
+            }
+        }
+        phases.normals = clock.elapsed() - phases.rays - phases.roots;
+        assemble::piece(&tile, specials, phases)
+    }
+}
+
+/// The answer for one ray against a whole scene: of all surfaces the first event, and the first certain root behind it.
+///
+/// # Errors
+/// As [`all_roots`].
+pub fn first_roots(
+    scene: &Scene,
+    ray: &Ray,
+    options: &Options,
+) -> Result<Vec<Answer>, RenderError> {
+    let lists = all_roots(scene, ray, options)?;
+    Ok(lists
+        .into_iter()
+        .map(|(entry, events)| Answer::from_events(entry, &events))
+        .collect())
+}

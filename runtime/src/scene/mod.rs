@@ -1,0 +1,126 @@
+//! What is in the picture.
+
+mod surface;
+
+pub(crate) use surface::{Prepared, Trace};
+
+use crate::contract::{Auto, Contractor};
+use crate::surface::{ParameterError, Surface};
+
+/// Surfaces, and the box that they are seen in.
+///
+/// ```ignore
+/// let scene = Scene::new().with(sphere).with_solver::<Halley, _>(torus);
+/// ```
+#[derive(Default)]
+pub struct Scene {
+    pub(crate) surfaces: Vec<Box<dyn Trace>>,
+    bounds: Option<[[f64; 3]; 2]>,
+}
+
+/// A scene that cannot be rendered.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// A field of a surface is NaN or infinite.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// A surface has no box to be searched in.
+    #[error(
+        "`{surface}` has no domain: add `#[domain(…)]` to its definition, or give the scene a box with `Scene::within`"
+    )]
+    NoDomain {
+        /// The surface's name.
+        surface: &'static str,
+    },
+    /// A box has crossed, infinite or too distant corners.
+    #[error(
+        "the box of {of} is not one: each lower corner must be at or below the upper one, and both within ±1e150"
+    )]
+    BadBox {
+        /// The surface's name, or "the scene".
+        of: &'static str,
+    },
+    /// There are more surfaces than a picture can tell apart.
+    #[error("a scene holds at most 65535 surfaces, this one has {0}")]
+    TooMany(usize),
+}
+
+impl Scene {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Scene::default()
+    }
+
+    /// Adds a surface, to be solved by [`Auto`].
+    pub fn with<S: Surface + 'static>(self, surface: S) -> Self {
+        self.with_solver::<Auto, S>(surface)
+    }
+
+    /// Adds a surface, to be solved by the contractor `C`.
+    pub fn with_solver<C: Contractor, S: Surface + 'static>(mut self, surface: S) -> Self {
+        self.surfaces
+            .push(Box::new(surface::Solver::<S, C>::new(surface)));
+        self
+    }
+
+    /// The box in which surfaces without a domain of their own are searched.
+    pub fn within(mut self, low: [f64; 3], high: [f64; 3]) -> Self {
+        self.bounds = Some([low, high]);
+        self
+    }
+
+    /// How many surfaces there are. Their indices follow the order in which they were added.
+    pub fn len(&self) -> usize {
+        self.surfaces.len()
+    }
+
+    /// Is there no surface?
+    pub fn is_empty(&self) -> bool {
+        self.surfaces.is_empty()
+    }
+
+    /// Checks all parameters, and finds each surface's box.
+    pub(crate) fn boxes(&self) -> Result<Vec<[[f64; 3]; 2]>, SceneError> {
+        if self.surfaces.len() > usize::from(u16::MAX) {
+            return Err(SceneError::TooMany(self.surfaces.len()));
+        }
+        if let Some(bounds) = &self.bounds {
+            check_box(bounds, "the scene")?;
+        }
+        let mut boxes = Vec::with_capacity(self.surfaces.len());
+        for surface in &self.surfaces {
+            surface.check()?;
+            let name = surface.name();
+            let own = surface
+                .domain()
+                .or(self.bounds)
+                .ok_or(SceneError::NoDomain { surface: name })?;
+            check_box(&own, name)?;
+            boxes.push(own);
+        }
+        Ok(boxes)
+    }
+}
+
+/// Coordinates within ±1e150 keep the parameters t of all rays finite.
+fn check_box(b: &[[f64; 3]; 2], of: &'static str) -> Result<(), SceneError> {
+    let fine = (0..3).all(|k| b[0][k] <= b[1][k] && b[0][k] >= -1e150 && b[1][k] <= 1e150);
+    if fine {
+        Ok(())
+    } else {
+        Err(SceneError::BadBox { of })
+    }
+}
+
+/// The smallest box around boxes; nothing if there are none.
+pub(crate) fn hull(boxes: &[[[f64; 3]; 2]]) -> Option<[[f64; 3]; 2]> {
+    boxes.iter().copied().reduce(|a, b| {
+        let mut all = a;
+        for k in 0..3 {
+            all[0][k] = a[0][k].min(b[0][k]);
+            all[1][k] = a[1][k].max(b[1][k]);
+        }
+        all
+    })
+}

@@ -1,0 +1,112 @@
+//! A surface with its solver behind one object-safe trait: one virtual call per tile, not per ray.
+
+use core::marker::PhantomData;
+
+use crate::camera::Ray;
+use crate::contract::Contractor;
+use crate::interval::Isa;
+use crate::render::tile::Tile;
+use crate::solve::{Evaluations, Settings};
+use crate::surface::{ParameterError, Surface};
+use crate::trace::{AllRoots, NormalsOfTile, TraceTile};
+use crate::verdict::Verdict;
+
+/// A surface in a scene.
+pub(crate) trait Trace: Send + Sync {
+    fn name(&self) -> &'static str;
+    fn check(&self) -> Result<(), ParameterError>;
+    fn domain(&self) -> Option<[[f64; 3]; 2]>;
+    /// Runs the surface stage.
+    fn prepare(&self) -> Box<dyn Prepared + '_>;
+}
+
+/// A surface after the surface stage, ready for any number of tiles.
+pub(crate) trait Prepared: Send + Sync {
+    /// Traces the tile's rays inside `domain`, and keeps what is nearer than what the tile holds.
+    fn trace(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        index: u16,
+        tile: &mut Tile,
+    );
+    /// Normals for the pixels that show this surface.
+    fn normals(&self, isa: Isa, index: u16, tile: &mut Tile);
+    /// All events along one ray, from `entry`.
+    fn all_roots(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        ray: &Ray,
+    ) -> (f64, Vec<Verdict>, Evaluations);
+}
+
+pub(crate) struct Solver<S, C> {
+    surface: S,
+    contractor: PhantomData<C>,
+}
+
+impl<S, C> Solver<S, C> {
+    pub fn new(surface: S) -> Self {
+        Solver {
+            surface,
+            contractor: PhantomData,
+        }
+    }
+}
+
+struct Ready<'a, S: Surface, C> {
+    prepared: S::Prepared,
+    solver: PhantomData<&'a Solver<S, C>>,
+}
+
+impl<S: Surface, C: Contractor> Trace for Solver<S, C> {
+    fn name(&self) -> &'static str {
+        S::REPORT.name
+    }
+    fn check(&self) -> Result<(), ParameterError> {
+        self.surface.check()
+    }
+    fn domain(&self) -> Option<[[f64; 3]; 2]> {
+        self.surface.domain()
+    }
+    fn prepare(&self) -> Box<dyn Prepared + '_> {
+        Box::new(Ready::<S, C> {
+            prepared: self.surface.prepare(),
+            solver: PhantomData,
+        })
+    }
+}
+
+impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
+    fn trace(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        index: u16,
+        tile: &mut Tile,
+    ) {
+        isa.run(TraceTile::<S, C>::new(
+            &self.prepared,
+            settings,
+            domain,
+            index,
+            tile,
+        ));
+    }
+    fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
+        isa.run(NormalsOfTile::<S>::new(&self.prepared, index, tile));
+    }
+    fn all_roots(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        ray: &Ray,
+    ) -> (f64, Vec<Verdict>, Evaluations) {
+        isa.run(AllRoots::<S, C>::new(&self.prepared, settings, domain, ray))
+    }
+}

@@ -1,0 +1,182 @@
+//! The one place where a solver evaluates a surface: each entry point is a function of its own per instruction set,
+//! and is counted.
+
+use crate::interval::{At, Flags, Interval, Jet, Nearest, Packet, Routine};
+use crate::surface::Surface;
+
+/// f along the rays of one packet.
+pub struct Field<'a, S: Surface, P: Packet> {
+    pub(crate) p: P,
+    pub(crate) prepared: &'a S::Prepared,
+    pub(crate) bound: &'a S::Bound<P>,
+    pub(crate) counts: &'a mut Evaluations,
+}
+
+/// f and its first `N − 1` derivatives over the segments of a packet.
+pub type Enclosed<P, const N: usize> = Jet<Interval<<P as crate::interval::Lanes>::F>, P, N>;
+
+/// How often a surface was evaluated: per ray, that is, per lane that needed it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Evaluations {
+    /// Enclosures of f over segments.
+    pub value: u64,
+    /// Enclosures of f and f' over segments.
+    pub slope: u64,
+    /// Enclosures of f, f' and f'' over segments.
+    pub curvature: u64,
+    /// Enclosures of f at points.
+    pub point: u64,
+    /// f and f' in plain floats.
+    pub float: u64,
+    /// Gradients in space, in plain floats.
+    pub gradient: u64,
+    /// Evaluations of all kinds, each counted once per packet of eight.
+    pub packets: u64,
+}
+
+impl Evaluations {
+    /// All kinds together, per ray.
+    pub fn total(&self) -> u64 {
+        self.value + self.slope + self.curvature + self.point + self.float + self.gradient
+    }
+
+    pub(crate) fn add(&mut self, other: &Evaluations) {
+        self.value += other.value;
+        self.slope += other.slope;
+        self.curvature += other.curvature;
+        self.point += other.point;
+        self.float += other.float;
+        self.gradient += other.gradient;
+        self.packets += other.packets;
+    }
+}
+
+impl<S: Surface, P: Packet> Field<'_, S, P> {
+    /// How many lanes an evaluation serves.
+    #[inline(always)]
+    fn served(&self, live: P::M) -> u64 {
+        u64::from(self.p.bits(live).count_ones())
+    }
+
+    /// f over `t`, for the lanes of `live`; other lanes hold anything.
+    #[inline(always)]
+    pub fn value(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1> {
+        self.counts.value += self.served(live);
+        self.counts.packets += 1;
+        self.p.call(Value::<S, P> {
+            prepared: self.prepared,
+            bound: self.bound,
+            t,
+        })
+    }
+
+    /// f and f' over `t`.
+    #[inline(always)]
+    pub fn slope(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 2> {
+        self.counts.slope += self.served(live);
+        self.counts.packets += 1;
+        self.p.call(Slope::<S, P> {
+            prepared: self.prepared,
+            bound: self.bound,
+            t,
+        })
+    }
+
+    /// f, f' and f'' over `t`.
+    #[inline(always)]
+    pub fn curvature(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 3> {
+        self.counts.curvature += self.served(live);
+        self.counts.packets += 1;
+        self.p.call(Curvature::<S, P> {
+            prepared: self.prepared,
+            bound: self.bound,
+            t,
+        })
+    }
+
+    /// f at `t`, enclosed.
+    #[inline(always)]
+    pub fn point(&mut self, t: P::F, live: P::M) -> Enclosed<P, 1> {
+        self.counts.point += self.served(live);
+        self.counts.packets += 1;
+        self.p.call(Point::<S, P> {
+            prepared: self.prepared,
+            bound: self.bound,
+            t: &At(t),
+        })
+    }
+
+    /// f and f' at `t` in plain floats, without any guarantee.
+    #[inline(always)]
+    pub fn float(&mut self, t: P::F, live: P::M) -> [P::F; 2] {
+        self.counts.float += self.served(live);
+        self.counts.packets += 1;
+        self.p.call(Float::<S, P> {
+            prepared: self.prepared,
+            bound: self.bound,
+            t: &At(t),
+        })
+    }
+}
+
+/// Where f' may be used: f is certainly defined and continuous there (kinks are enclosed by a hull).
+#[inline(always)]
+pub fn differentiable<P: Packet>(p: P, flags: &Flags<P>, live: P::M) -> P::M {
+    p.and_not(p.and_not(live, flags.undefined), flags.jump)
+}
+
+/// Where f'' may be used: no kinks either.
+#[inline(always)]
+pub fn twice_differentiable<P: Packet>(p: P, flags: &Flags<P>, live: P::M) -> P::M {
+    p.and_not(differentiable(p, flags, live), flags.kink)
+}
+
+/// Where 0 ∉ F, or f is defined nowhere: there is no root, and no flag needs to be asked.
+#[inline(always)]
+pub fn excluded<P: Packet>(p: P, f: &Interval<P::F>, flags: &Flags<P>, live: P::M) -> P::M {
+    p.and(live, p.or(flags.empty, nonzero(p, f)))
+}
+
+/// Where the enclosure does not hold 0.
+#[inline(always)]
+pub fn nonzero<P: Packet>(p: P, f: &Interval<P::F>) -> P::M {
+    let zero = p.splat(0.0);
+    p.or(p.lt(zero, f.lo), p.lt(f.hi, zero))
+}
+
+macro_rules! routine {
+    ($name:ident, $entry:ident, $t:ty, $out:ty) => {
+        struct $name<'a, S: Surface, P: Packet> {
+            prepared: &'a S::Prepared,
+            bound: &'a S::Bound<P>,
+            t: &'a $t,
+        }
+
+        impl<S: Surface, P: Packet> Routine<P> for $name<'_, S, P> {
+            type Output = $out;
+            #[inline(always)]
+            fn call(self, p: P) -> $out {
+                S::$entry(p, self.prepared, self.bound, *self.t)
+            }
+        }
+    };
+}
+
+routine!(Value, value, Interval<P::F>, Enclosed<P, 1>);
+routine!(Slope, slope, Interval<P::F>, Enclosed<P, 2>);
+routine!(Curvature, curvature, Interval<P::F>, Enclosed<P, 3>);
+routine!(Point, value, At<P::F>, Enclosed<P, 1>);
+
+struct Float<'a, S: Surface, P: Packet> {
+    prepared: &'a S::Prepared,
+    bound: &'a S::Bound<P>,
+    t: &'a At<P::F>,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Float<'_, S, P> {
+    type Output = [P::F; 2];
+    #[inline(always)]
+    fn call(self, p: P) -> [P::F; 2] {
+        S::slope(Nearest(p), self.prepared, self.bound, *self.t).d
+    }
+}

@@ -1,0 +1,197 @@
+//! The march: front to back, without a stack.
+
+use super::floor::{Outcome, Stuck};
+use super::{Brackets, Field, select};
+use crate::contract::Contractor;
+use crate::interval::{Interval, Packet};
+use crate::surface::Surface;
+use crate::verdict::{Verdict, Why};
+
+/// What was met before the certain roots: rare, so lane by lane.
+#[derive(Debug, Default)]
+pub(crate) struct Events {
+    /// In ascending order for each ray of the packet.
+    pub of: [Vec<Verdict>; 8],
+    /// Bit i is set if ray i has any.
+    pub touched: u8,
+}
+
+impl Events {
+    pub fn push(&mut self, lane: usize, verdict: Verdict) {
+        verdict.append(&mut self.of[lane]);
+        self.touched |= 1 << lane;
+    }
+
+    /// Forgets all, and keeps the room.
+    #[inline(always)]
+    pub fn clear(&mut self) {
+        if self.touched != 0 {
+            for list in &mut self.of {
+                list.clear();
+            }
+            self.touched = 0;
+        }
+    }
+}
+
+/// Where a packet's rays are searched.
+#[derive(Clone, Copy)]
+pub(crate) struct Search<P: Packet> {
+    /// The segments; `lo ≥ 0`.
+    pub over: Interval<P::F>,
+    /// The rays that have one.
+    pub live: P::M,
+    /// The evaluation count at which the search gives up.
+    pub limit: u64,
+    /// Is a sign change enough to end a ray's search?
+    pub first_only: bool,
+}
+
+/// State of the march: no root lies in [over.lo, front) that was not reported.
+struct Front<P: Packet> {
+    front: P::F,
+    back: P::F,
+    /// The last gap: no root lies strictly inside.
+    gap: Interval<P::F>,
+}
+
+/// Searches for the first root of each ray. Roots that are proved come back as brackets; what is open before them goes
+/// to `events`. Each step asks the contractor for what is left of [front, back]: nothing, and the segment moves on and
+/// doubles; a bracket, and the ray is done; or a first piece, which is searched next, while the gap behind it is
+/// remembered. A segment too short to be split, or one whose front cannot be told from a root, is settled by
+/// [`Stuck`].
+#[inline(always)]
+pub(crate) fn march<S: Surface, C: Contractor, P: Packet>(
+    field: &mut Field<'_, S, P>,
+    search: &Search<P>,
+    events: &mut Events,
+) -> Brackets<P> {
+    let p = field.p;
+    let zero = p.splat(0.0);
+    let end = search.over.hi;
+    let shortest = p.mul_rn(end, p.splat(1.0 / (1u64 << 48) as f64));
+    let mut live = search.live;
+    let mut found = Brackets::none(p);
+    let mut at = Front::<P> {
+        front: search.over.lo,
+        back: end,
+        gap: Interval {
+            lo: p.splat(-1.0),
+            hi: p.splat(-1.0),
+        },
+    };
+    while p.any(live) {
+        let t = Interval {
+            lo: at.front,
+            hi: at.back,
+        };
+        let pieces = C::contract(field, &t, live);
+        let none = p.and(pieces.none, live);
+        let one = p.and(p.and_not(pieces.one, none), live);
+        if p.any(one) {
+            found.put(
+                p,
+                one,
+                &pieces.first,
+                &pieces.slope,
+                p.lt(zero, pieces.slope.lo),
+                t.hi,
+            );
+            live = p.and_not(live, one);
+        }
+        let split = p.and_not(live, none);
+        let stuck = p.and(
+            split,
+            p.or(
+                pieces.stuck,
+                p.le(p.sub_rn(pieces.first.hi, pieces.first.lo), shortest),
+            ),
+        );
+        at.advance(p, end, none, &pieces.first, pieces.next);
+        live = p.and_not(live, p.and(none, p.le(end, at.front)));
+        if p.any(stuck) {
+            let t = Interval {
+                lo: at.front,
+                hi: at.back,
+            };
+            let job = Stuck::<S, C, P>::new(field, search.over, t, stuck, shortest, events);
+            let outcome = p.call(job);
+            live = at.settle(p, end, live, stuck, &outcome, &mut found);
+            if search.first_only {
+                live = p.and_not(live, p.and(stuck, outcome.crossed));
+            }
+        }
+        if field.counts.packets > search.limit {
+            give_up(p, live, at.front, end, events);
+            break;
+        }
+    }
+    found
+}
+
+impl<P: Packet> Front<P> {
+    /// Moves on: behind T where it holds no root, else to the first piece.
+    #[inline(always)]
+    fn advance(&mut self, p: P, end: P::F, none: P::M, first: &Interval<P::F>, next: P::F) {
+        let length = p.sub_rn(self.back, self.front);
+        let split = p.and_not(p.lt(first.hi, next), none);
+        let in_gap = p.and(p.le(self.gap.lo, self.back), p.lt(self.back, self.gap.hi));
+        let behind = p.select(in_gap, self.gap.hi, self.back);
+        self.gap = select(
+            p,
+            split,
+            &Interval {
+                lo: first.hi,
+                hi: next,
+            },
+            &self.gap,
+        );
+        self.front = p.select(none, behind, first.lo);
+        let longer = p.min_f(p.add_rn(behind, p.add_rn(length, length)), end);
+        self.back = p.select(none, p.max_f(longer, behind), first.hi);
+    }
+
+    /// Takes over what was found out about the stuck lanes; returns the lanes that go on.
+    #[inline(always)]
+    fn settle(
+        &mut self,
+        p: P,
+        end: P::F,
+        live: P::M,
+        stuck: P::M,
+        outcome: &Outcome<P>,
+        found: &mut Brackets<P>,
+    ) -> P::M {
+        let one = p.and(outcome.brackets.found, stuck);
+        found.join(p, one, &outcome.brackets);
+        let length = p.sub_rn(outcome.behind, self.front);
+        self.front = p.select(stuck, outcome.behind, self.front);
+        let longer = p.min_f(p.add_rn(outcome.behind, p.add_rn(length, length)), end);
+        self.back = p.select(stuck, p.max_f(longer, outcome.behind), self.back);
+        let done = p.or(one, p.and(stuck, p.le(end, outcome.behind)));
+        p.and_not(live, done)
+    }
+}
+
+/// The budget is spent: all the rest is open.
+#[cold]
+#[inline(never)]
+fn give_up<P: Packet>(p: P, live: P::M, front: P::F, end: P::F, events: &mut Events) {
+    let (front, end) = (p.to_array(front), p.to_array(end));
+    let live = p.bits(live);
+    for lane in 0..8 {
+        if live >> lane & 1 != 0 {
+            let t = Interval {
+                lo: front[lane],
+                hi: end[lane],
+            };
+            events.push(
+                lane,
+                Verdict::Unresolved {
+                    t,
+                    why: Why::Budget,
+                },
+            );
+        }
+    }
+}

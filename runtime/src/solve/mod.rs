@@ -1,0 +1,108 @@
+//! From contractors to verdicts: the first root along each ray of a packet, or all roots along one ray.
+
+mod field;
+mod floor;
+mod march;
+mod quadric;
+mod refine;
+mod tangent;
+
+pub use field::{
+    Enclosed, Evaluations, Field, differentiable, excluded, nonzero, twice_differentiable,
+};
+pub(crate) use march::{Events, Search, march};
+pub(crate) use quadric::closed_form;
+pub(crate) use refine::refine;
+
+use crate::interval::{Interval, Packet};
+
+/// How to search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Evaluations, each of a packet of rays, before the rest of a packet's rays is given up as
+    /// [`Why::Budget`](crate::verdict::Why::Budget).
+    pub budget: u32,
+    /// Quadrics by their discriminant, without a search.
+    pub closed_forms: bool,
+    /// Once a bracket with exactly one root is proved, converge in plain floats and certify the end; otherwise go on with
+    /// enclosures.
+    pub plain_convergence: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            budget: 10_000,
+            closed_forms: true,
+            plain_convergence: true,
+        }
+    }
+}
+
+/// Segments that hold exactly one root each.
+#[derive(Clone, Copy)]
+pub(crate) struct Brackets<P: Packet> {
+    /// The lanes that have one.
+    pub found: P::M,
+    /// f is continuous here, the ends have opposite certain signs or the Newton image lies inside, and one root is here.
+    pub t: Interval<P::F>,
+    /// f' over `t`; it may hold 0 where the root was proved otherwise.
+    pub slope: Interval<P::F>,
+    /// Does f rise through the root?
+    pub rising: P::M,
+    /// No other root lies before this; a search for the next goes on here.
+    pub resume: P::F,
+}
+
+impl<P: Packet> Brackets<P> {
+    #[inline(always)]
+    pub fn none(p: P) -> Self {
+        let zero = p.splat(0.0);
+        let t = Interval { lo: zero, hi: zero };
+        Brackets {
+            found: p.mask(0),
+            t,
+            slope: t,
+            rising: p.mask(0),
+            resume: zero,
+        }
+    }
+
+    /// Takes over the lanes of `which`.
+    #[inline(always)]
+    pub fn put(
+        &mut self,
+        p: P,
+        which: P::M,
+        t: &Interval<P::F>,
+        slope: &Interval<P::F>,
+        rising: P::M,
+        resume: P::F,
+    ) {
+        self.found = p.or(self.found, which);
+        self.t = select(p, which, t, &self.t);
+        self.slope = select(p, which, slope, &self.slope);
+        self.rising = p.or(p.and(which, rising), p.and_not(self.rising, which));
+        self.resume = p.select(which, resume, self.resume);
+    }
+
+    /// Takes over the lanes of `which` from another set.
+    #[inline(always)]
+    pub fn join(&mut self, p: P, which: P::M, other: &Self) {
+        self.put(p, which, &other.t, &other.slope, other.rising, other.resume);
+    }
+}
+
+/// Lane-wise `which ? yes : no`.
+#[inline(always)]
+pub(crate) fn select<P: Packet>(
+    p: P,
+    which: P::M,
+    yes: &Interval<P::F>,
+    no: &Interval<P::F>,
+) -> Interval<P::F> {
+    Interval {
+        lo: p.select(which, yes.lo, no.lo),
+        hi: p.select(which, yes.hi, no.hi),
+    }
+}

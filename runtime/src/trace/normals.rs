@@ -1,0 +1,115 @@
+//! Normals of what is seen.
+
+use core::marker::PhantomData;
+
+use crate::interval::{Kernel, Nearest, Packet, Routine};
+use crate::render::tile::{PacketRays, Tile};
+use crate::surface::Surface;
+
+/// Unit normals, in plain floats, for the pixels that show the surface.
+pub(crate) struct NormalsOfTile<'a, S: Surface> {
+    prepared: &'a S::Prepared,
+    index: u16,
+    tile: &'a mut Tile,
+    surface: PhantomData<S>,
+}
+
+impl<'a, S: Surface> NormalsOfTile<'a, S> {
+    pub fn new(prepared: &'a S::Prepared, index: u16, tile: &'a mut Tile) -> Self {
+        NormalsOfTile {
+            prepared,
+            index,
+            tile,
+            surface: PhantomData,
+        }
+    }
+}
+
+/// The gradient, a function of its own.
+struct Gradient<'a, S: Surface, P: Packet> {
+    prepared: &'a S::Prepared,
+    point: &'a [P::F; 3],
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Gradient<'_, S, P> {
+    type Output = [P::F; 4];
+    #[inline(always)]
+    fn call(self, p: P) -> [P::F; 4] {
+        S::gradient(Nearest(p), self.prepared, *self.point).d
+    }
+}
+
+impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) {
+        let NormalsOfTile {
+            prepared,
+            index,
+            tile,
+            ..
+        } = self;
+        for packet in &mut tile.packets {
+            let mut shown = 0u8;
+            for lane in 0..8 {
+                shown |= u8::from(packet.surface[lane] == index) << lane;
+            }
+            if shown == 0 {
+                continue;
+            }
+            let point = points(p, packet);
+            let [_, x, y, z] = p.call(Gradient::<S, P> {
+                prepared,
+                point: &point,
+            });
+            tile.counts.gradient += u64::from(shown.count_ones());
+            tile.counts.packets += 1;
+            store(p, packet, [x, y, z], shown);
+        }
+    }
+}
+
+/// Where the shown roots are: from the entry, so that far cameras lose nothing.
+#[inline(always)]
+fn points<P: Packet>(p: P, packet: &PacketRays) -> [P::F; 3] {
+    let half = p.splat(0.5);
+    let t = p.add_rn(
+        p.mul_rn(p.lanes(packet.lo), half),
+        p.mul_rn(p.lanes(packet.hi), half),
+    );
+    let entry = p.lanes(packet.entry);
+    let mut point = [t; 3];
+    for (axis, x) in point.iter_mut().enumerate() {
+        let d = p.lanes(packet.lines.direction[axis]);
+        let start = p.fma_rn(entry, d, p.lanes(packet.lines.origin[axis]));
+        *x = p.fma_rn(t, d, start);
+    }
+    point
+}
+
+/// Unit length, and towards the viewer; zero where there is no direction.
+#[inline(always)]
+fn store<P: Packet>(p: P, packet: &mut PacketRays, g: [P::F; 3], shown: u8) {
+    let zero = p.splat(0.0);
+    let square = p.add_rn(
+        p.add_rn(p.mul_rn(g[0], g[0]), p.mul_rn(g[1], g[1])),
+        p.mul_rn(g[2], g[2]),
+    );
+    let length = p.sqrt_rn(square);
+    let mut towards = zero;
+    for (axis, &component) in g.iter().enumerate() {
+        towards = p.fma_rn(component, p.lanes(packet.lines.direction[axis]), towards);
+    }
+    let fine = p.and(p.lt(zero, length), p.lt(length, p.splat(f64::INFINITY)));
+    let scale = p.div_rn(p.splat(1.0), length);
+    let scale = p.select(p.lt(zero, towards), p.neg_f(scale), scale);
+    for (axis, &component) in g.iter().enumerate() {
+        let n = p.to_array(p.select(fine, p.mul_rn(component, scale), zero));
+        for lane in 0..8 {
+            if shown >> lane & 1 != 0 {
+                packet.normal[axis][lane] = n[lane] as f32;
+            }
+        }
+    }
+}
