@@ -29,7 +29,14 @@ pub trait Surface: Send + Sync {
     /// All rows and both sides of all choices.
     fn everything(prepared: &Self::Prepared) -> Active;
     /// Drops from `active` the rows and choices that cannot matter on `rays` for `t`. May keep everything.
-    fn prune<P: Packet>(p: P, prepared: &Self::Prepared, rays: &Rays<P>, t: Interval<P::F>, active: &mut Active);
+    fn prune<P: Packet>(
+        _p: P,
+        _prepared: &Self::Prepared,
+        _rays: &Rays<P>,
+        _t: Interval<P::F>,
+        _active: &mut Active,
+    ) {
+    }
     /// Room for the ray stage, to be used again for packet after packet.
     fn unbound<P: Packet>(p: P) -> Self::Bound<P>;
     /// The ray stage, for the active rows.
@@ -86,8 +93,8 @@ pub struct Report {
     pub continuity: Continuity,
     /// Is f defined everywhere, for all values of the fields?
     pub total: bool,
-    /// Names of the functions whose enclosures are tested, not proved.
-    pub unproved: &'static [&'static str],
+    /// Names of the functions that f and its derivatives call, in alphabetic order.
+    pub functions: &'static [&'static str],
     /// Linear and quadratic leaves of the ray stage, in loops counted once.
     pub leaves: u32,
     /// Interval operations of the segment stage: value, slope, curvature; bodies of loops counted once.
@@ -114,14 +121,33 @@ pub struct Active {
     pub rows: Vec<Vec<u32>>,
 }
 
+impl Report {
+    /// The functions that f calls whose enclosures are tested, not proved.
+    pub fn unproved(&self) -> impl Iterator<Item = &'static str> {
+        let known = |f: &&'static str| crate::interval::UNPROVED.contains(f);
+        self.functions.iter().copied().filter(known)
+    }
+}
+
 /// A parameter that no surface can have.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("field `{field}` of `{surface}` is {value}: parameters must be finite numbers")]
-pub struct ParameterError {
-    /// The surface's name.
-    pub surface: &'static str,
-    /// The field's name.
-    pub field: &'static str,
-    /// The offending value.
-    pub value: f64,
+pub enum ParameterError {
+    /// A number is NaN or infinite.
+    #[error("field `{field}` of `{surface}` is {value}: parameters must be finite numbers")]
+    NotFinite {
+        /// The surface's name.
+        surface: &'static str,
+        /// The field's name.
+        field: &'static str,
+        /// The offending value.
+        value: f64,
+    },
+    /// A minimum or maximum is taken over a table without rows.
+    #[error("table `{field}` of `{surface}` is empty: a minimum or maximum needs at least one row")]
+    EmptyTable {
+        /// The surface's name.
+        surface: &'static str,
+        /// The table's name.
+        field: &'static str,
+    },
 }

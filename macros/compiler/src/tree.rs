@@ -27,6 +27,31 @@ pub struct Formula {
     pub right: Option<Term>,
 }
 
+impl Formula {
+    /// `struct name; x`: what stands in for a formula with mistakes.
+    pub fn coordinate(name: Ident) -> Formula {
+        let source = Source {
+            start: name.span(),
+            end: name.span(),
+        };
+        let x = Ident::new("x", name.span());
+        Formula {
+            attributes: TokenStream::new(),
+            visibility: TokenStream::new(),
+            name: Some(name),
+            fields: Vec::new(),
+            domain: None,
+            lets: Vec::new(),
+            folds: Vec::new(),
+            left: Term {
+                kind: TermKind::Coordinate(0, x),
+                source,
+            },
+            right: None,
+        }
+    }
+}
+
 /// A field of the struct.
 #[derive(Debug)]
 pub struct Field {

@@ -1,0 +1,182 @@
+//! Straight-line code with loops: puts the nodes that are needed into order, and folds into loops.
+//!
+//! What a node becomes is the business of a [`Target`]; where it stands is decided here. A node belongs to the loops of
+//! its scope. Inside a block (a function, or a loop's body) the nodes of that scope come in the order of their ids, which
+//! is topological; folds over the same rows that wait for the same things share one loop.
+
+use crate::graph::{Graph, Id, Op, Scope, operands};
+use crate::tree::FoldKind;
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::collections::{BTreeMap, HashMap};
+
+/// Turns nodes into code.
+pub trait Target {
+    /// What a node's value is in the code: one variable, or several.
+    type Value: Clone;
+
+    /// Does this stage find the node ready, in whatever loop it stands?
+    fn ready(&self, id: Id) -> bool;
+    /// The value of a node that this stage finds ready (a constant, a leaf, a coordinate), or `None`.
+    fn given(&mut self, id: Id, out: &mut TokenStream) -> Option<Self::Value>;
+    /// Computes an operation that is no fold.
+    fn operation(
+        &mut self,
+        id: Id,
+        values: &dyn Fn(Id) -> Option<Self::Value>,
+        out: &mut TokenStream,
+    ) -> Self::Value;
+    /// The header of a loop, `for … in …`, and what its body starts with. `scope` holds the loop itself.
+    fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream);
+    /// Declares a fold's accumulator in front of the loop, and updates it at the end of the body.
+    fn accumulate(
+        &mut self,
+        id: Id,
+        fold: (FoldKind, usize),
+        arguments: &[Self::Value],
+    ) -> (TokenStream, TokenStream, Self::Value);
+    /// Work after the loop on an accumulator.
+    fn finish(&mut self, id: Id, value: Self::Value, out: &mut TokenStream) -> Self::Value;
+}
+
+/// Code for `targets` inside `scope`; returns their values. `known` holds what is computed already.
+pub fn block<T: Target>(
+    graph: &Graph,
+    target: &mut T,
+    scope: Scope,
+    targets: &[Id],
+    known: &mut HashMap<Id, T::Value>,
+    out: &mut TokenStream,
+) -> Vec<T::Value> {
+    let mut block = Block {
+        graph,
+        target,
+        scope,
+        known,
+    };
+    block.run(targets, out);
+    targets
+        .iter()
+        .filter_map(|t| block.known.get(t).cloned())
+        .collect()
+}
+
+struct Block<'a, T: Target> {
+    graph: &'a Graph,
+    target: &'a mut T,
+    scope: Scope,
+    known: &'a mut HashMap<Id, T::Value>,
+}
+
+/// The folds that one loop computes: the same fold, after the same loops of this block.
+type Loops = BTreeMap<(u32, usize), Vec<Id>>;
+
+impl<T: Target> Block<'_, T> {
+    fn run(&mut self, targets: &[Id], out: &mut TokenStream) {
+        let here = self.needed(targets, out);
+        let phases = self.phases(&here);
+        let last = phases.values().copied().max().unwrap_or(0);
+        for phase in 0..=last {
+            let mut loops = Loops::new();
+            for &id in here.iter().filter(|id| phases.get(id) == Some(&phase)) {
+                match self.graph.op(id) {
+                    Op::Fold(_, fold, _) => loops.entry((phase, *fold)).or_default().push(id),
+                    _ => self.operation(id, out),
+                }
+            }
+            for ((_, fold), ids) in loops {
+                self.emit_loop(fold, &ids, out);
+            }
+        }
+    }
+
+    /// The nodes of this block's scope that are still to be computed, also those that only a loop's body needs.
+    fn needed(&mut self, targets: &[Id], out: &mut TokenStream) -> Vec<Id> {
+        let mut here = Vec::new();
+        let mut todo: Vec<Id> = targets.to_vec();
+        let mut seen = std::collections::HashSet::new();
+        while let Some(id) = todo.pop() {
+            if !seen.insert(id) || self.known.contains_key(&id) {
+                continue;
+            }
+            if self.graph.info(id).scope.within(self.scope) {
+                if let Some(value) = self.target.given(id, out) {
+                    self.known.insert(id, value);
+                    continue;
+                }
+                here.push(id);
+            }
+            if self.target.ready(id) {
+                continue;
+            }
+            todo.extend(operands(self.graph.op(id)));
+        }
+        here.sort();
+        here
+    }
+
+    /// How many loops of this block a node waits for; a fold belongs to the phase in which its loop runs.
+    fn phases(&self, here: &[Id]) -> HashMap<Id, u32> {
+        let mut phases = HashMap::new();
+        for &id in here {
+            let phase = self.ready(id, &phases, &mut HashMap::new());
+            phases.insert(id, phase);
+        }
+        phases
+    }
+
+    /// The phase in which all that `id` needs is there, looking through nodes that stand in inner loops.
+    fn ready(&self, id: Id, phases: &HashMap<Id, u32>, memo: &mut HashMap<Id, u32>) -> u32 {
+        if let Some(&phase) = memo.get(&id) {
+            return phase;
+        }
+        let mut phase = 0;
+        for operand in operands(self.graph.op(id)) {
+            let needs = match phases.get(&operand) {
+                Some(&p) => p + u32::from(matches!(self.graph.op(operand), Op::Fold(..))),
+                None if self.known.contains_key(&operand) => 0,
+                None => self.ready(operand, phases, memo),
+            };
+            phase = phase.max(needs);
+        }
+        memo.insert(id, phase);
+        phase
+    }
+
+    fn operation(&mut self, id: Id, out: &mut TokenStream) {
+        let known = &*self.known;
+        let value = self.target.operation(id, &|a| known.get(&a).cloned(), out);
+        self.known.insert(id, value);
+    }
+
+    fn emit_loop(&mut self, fold: usize, ids: &[Id], out: &mut TokenStream) {
+        let scope = self.scope.union(self.graph.chain(fold));
+        let (header, start) = self.target.enter(fold, scope);
+        let mut body = start;
+        let mut inner = self.known.clone();
+        let mut before = TokenStream::new();
+        let mut after = Vec::new();
+        for &id in ids {
+            let Op::Fold(kind, fold, arguments) = self.graph.op(id) else {
+                continue;
+            };
+            let values = block(
+                self.graph,
+                self.target,
+                scope,
+                arguments,
+                &mut inner,
+                &mut body,
+            );
+            let (declare, update, value) = self.target.accumulate(id, (*kind, *fold), &values);
+            before.extend(declare);
+            body.extend(update);
+            after.push((id, value));
+        }
+        out.extend(quote! { #before #header { #body } });
+        for (id, value) in after {
+            let value = self.target.finish(id, value, out);
+            self.known.insert(id, value);
+        }
+    }
+}

@@ -1,0 +1,482 @@
+//! Code in the runtime's `Arithmetic`: interval packets, scalars, plain float vectors.
+
+use super::block::Target;
+use super::layout::Layout;
+use super::text::{count, flags, index, interval, variable};
+use crate::functions::Function;
+use crate::graph::{Graph, Id, Op, Over, Scope, Sign, Undecided};
+use crate::tree::FoldKind;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+/// Which stage the code is for: it decides what is ready, and how loops run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Stage {
+    /// From the fields, in scalars.
+    Surface,
+    /// Over a segment of a ray: surface values, leaves, active rows.
+    Segment,
+    /// At points of space: surface values, coordinates, all rows.
+    Space,
+}
+
+/// The target.
+pub struct Enclosure<'a> {
+    /// The graph.
+    pub graph: &'a Graph,
+    /// The storage.
+    pub layout: &'a Layout,
+    /// The stage.
+    pub stage: Stage,
+    /// Names of the fields; for tables in the surface stage.
+    pub fields: &'a [Ident],
+    /// Interval operations emitted so far.
+    pub operations: u32,
+}
+
+/// A variable, and the flags that its value may carry.
+#[derive(Clone)]
+pub struct Value {
+    /// Its name.
+    pub name: Ident,
+    /// Its flags, if any part of it is partial or piecewise.
+    pub flags: Option<Ident>,
+}
+
+/// Looks up the values of operands.
+type Values<'v> = &'v dyn Fn(Id) -> Option<Value>;
+
+impl Target for Enclosure<'_> {
+    type Value = Value;
+
+    fn ready(&self, id: Id) -> bool {
+        self.stage != Stage::Surface && !self.graph.varies(id)
+            || matches!(self.graph.op(id), Op::Leaf(..))
+    }
+
+    fn given(&mut self, id: Id, out: &mut TokenStream) -> Option<Value> {
+        let expression = match self.graph.op(id) {
+            Op::Literal(r) => {
+                let r = interval(r);
+                quote!(a.constant(&#r))
+            }
+            Op::Coordinate(axis) => {
+                let axis = Literal::usize_unsuffixed(*axis);
+                quote!(point[#axis])
+            }
+            Op::Leaf(leaf, order) => {
+                let (place, quadratic) = self.layout.leaf(*leaf)?;
+                self.operations += 1;
+                leaf_value(&place, quadratic, *order)
+            }
+            _ if self.stage != Stage::Surface && !self.graph.varies(id) => {
+                let place = self.layout.value(id)?;
+                quote!(a.constant(&#place))
+            }
+            Op::Pi => quote!(a.constant(&__zeroset::PI)),
+            Op::Field(field, indices) => {
+                let (name, indices) = (self.fields.get(*field)?, indices.iter().map(index));
+                quote!(a.constant(&__zeroset::point(self.#name #(#indices)*)))
+            }
+            Op::Row(fold, column) => {
+                let row = format_ident!("r{fold}");
+                let column = column.map(Literal::usize_unsuffixed).map(|c| quote!([#c]));
+                quote!(a.constant(&__zeroset::point(#row #column)))
+            }
+            Op::Counter(fold) => {
+                let counter = format_ident!("i{fold}");
+                quote!(a.constant(&__zeroset::point(#counter as __zeroset::primitive::f64)))
+            }
+            _ => return None,
+        };
+        let name = variable(id);
+        let known_sign = matches!(self.graph.op(id), Op::Leaf(..))
+            && self.graph.info(id).sign == Sign::NonNegative;
+        let expression = if known_sign {
+            quote!(a.nonneg(#expression))
+        } else {
+            expression
+        };
+        out.extend(quote!(let #name = #expression;));
+        Some(Value { name, flags: None })
+    }
+
+    fn operation(&mut self, id: Id, values: Values, out: &mut TokenStream) -> Value {
+        self.operations += 1;
+        let op = self.graph.op(id).clone();
+        let name = variable(id);
+        let own = flags(id);
+        let expression = self.expression(&op, values);
+        let (pattern, flagged) = if expression.flagged {
+            (quote!((#name, #own)), true)
+        } else {
+            (name.to_token_stream(), false)
+        };
+        let code = expression.code;
+        out.extend(quote!(let #pattern = #code;));
+        if self.graph.info(id).sign == Sign::NonNegative && !bounded_by_itself(&op) {
+            out.extend(quote!(let #name = a.nonneg(#name);));
+        }
+        let flags = self.flags_of(id, &op, flagged, values, out);
+        Value { name, flags }
+    }
+
+    fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
+        match self.stage {
+            Stage::Surface => enter_fields(self.graph, self.fields, fold),
+            Stage::Segment => enter_rows(self.graph, self.layout, fold, scope, true),
+            Stage::Space => enter_rows(self.graph, self.layout, fold, scope, false),
+        }
+    }
+
+    fn accumulate(
+        &mut self,
+        id: Id,
+        fold: (FoldKind, usize),
+        args: &[Value],
+    ) -> (TokenStream, TokenStream, Value) {
+        let name = variable(id);
+        let names: Vec<&Ident> = args.iter().map(|v| &v.name).collect();
+        let (mut declare, mut update) = accumulator(&name, fold.0, fold.1, &names);
+        self.operations += 1 << (args.len() - 1).min(2);
+        let choosing = matches!(fold.0, FoldKind::Minimum | FoldKind::Maximum) && args.len() > 1;
+        let any = choosing || args.iter().any(|v| v.flags.is_some());
+        let flags = any.then(|| flags(id));
+        if let Some(flags) = &flags {
+            declare.extend(quote!(let mut #flags = a.clear();));
+            for of in args.iter().filter_map(|v| v.flags.as_ref()) {
+                update.extend(quote!(#flags = a.join(#flags, #of);));
+            }
+            if choosing {
+                let chosen = format_ident!("c{}", id.0);
+                update.extend(quote!(#flags = a.join(#flags, #chosen);));
+                declare = quote!(#declare let mut #chosen = a.clear(););
+            }
+        }
+        (declare, update, Value { name, flags })
+    }
+
+    fn finish(&mut self, id: Id, value: Value, out: &mut TokenStream) -> Value {
+        let name = &value.name;
+        if self.graph.info(id).sign == Sign::NonNegative {
+            out.extend(quote!(let #name = a.nonneg(#name);));
+        }
+        value
+    }
+}
+
+/// The code of an operation; `flagged` if it yields `(value, flags)`.
+struct Expression {
+    code: TokenStream,
+    flagged: bool,
+}
+
+impl Enclosure<'_> {
+    fn expression(&self, op: &Op, values: Values) -> Expression {
+        let v = |id: &Id| values(*id).map_or_else(|| quote!(()), |v| v.name.to_token_stream());
+        let plain = |code| Expression {
+            code,
+            flagged: false,
+        };
+        let partial = |code| Expression {
+            code,
+            flagged: true,
+        };
+        match op {
+            Op::Negate(a) => {
+                let a = v(a);
+                plain(quote!(a.neg(#a)))
+            }
+            Op::Add(a, b) => call("add", &[v(a), v(b)]),
+            Op::Subtract(a, b) => call("sub", &[v(a), v(b)]),
+            Op::Multiply(a, b) => match (self.graph.nonnegative(*a), self.graph.nonnegative(*b)) {
+                (true, true) => call("mul_pos_pos", &[v(a), v(b)]),
+                (true, false) => call("mul_pos", &[v(a), v(b)]),
+                (false, true) => call("mul_pos", &[v(b), v(a)]),
+                (false, false) => call("mul", &[v(a), v(b)]),
+            },
+            Op::Divide(a, b) if self.graph.is_one(*a) => {
+                let b = v(b);
+                partial(quote!(a.recip(#b)))
+            }
+            Op::Divide(a, b) => {
+                let (a, b) = (v(a), v(b));
+                partial(quote!(a.div(#a, #b)))
+            }
+            Op::Power(a, 2) => call("sqr", &[v(a)]),
+            Op::Power(a, n) => {
+                let (a, n) = (v(a), Literal::u32_unsuffixed(*n));
+                plain(quote!(a.powi(#a, #n)))
+            }
+            Op::RealPower(a, b) => {
+                let (a, b) = (v(a), v(b));
+                partial(quote!(a.pow(#a, #b)))
+            }
+            // Whether √'s operand is ≥ 0 was proved or is tested; either way it returns flags.
+            Op::Unary(f, a) => {
+                let expression = call(f.entry().name, &[v(a)]);
+                Expression {
+                    flagged: !f.entry().total,
+                    ..expression
+                }
+            }
+            Op::Binary(f, a, b) => {
+                let expression = call(f.entry().name, &[v(a), v(b)]);
+                Expression {
+                    flagged: !f.entry().total,
+                    ..expression
+                }
+            }
+            Op::AbsSlope(a) => {
+                let a = v(a);
+                partial(quote!(a.abs_slope(#a)))
+            }
+            Op::Less(a, b) => call("less", &[v(a), v(b)]),
+            Op::LessOrEqual(a, b) => call("less_or_equal", &[v(a), v(b)]),
+            Op::Both(a, b) => call("both", &[v(a), v(b)]),
+            Op::Either(a, b) => call("either", &[v(a), v(b)]),
+            Op::Choose(c, a, b, _) => call("choose", &[v(c), v(a), v(b)]),
+            // The rest are inputs and folds, which never come here.
+            _ => plain(quote!(())),
+        }
+    }
+
+    /// The flags of a node: its own, joined with those of its operands; a choice has those of the taken branch.
+    fn flags_of(
+        &self,
+        id: Id,
+        op: &Op,
+        flagged: bool,
+        values: Values,
+        out: &mut TokenStream,
+    ) -> Option<Ident> {
+        let of = |id: Id| values(id).and_then(|v| v.flags);
+        let result = flags(id);
+        if let Op::Choose(c, a, b, undecided) = op {
+            let condition = values(*c)?.name;
+            let or_clear =
+                |f: Option<Ident>| f.map_or_else(|| quote!(a.clear()), |f| f.to_token_stream());
+            let (yes, no) = (or_clear(of(*a)), or_clear(of(*b)));
+            let undecided = match undecided {
+                Undecided::Kink => quote!(Kink),
+                Undecided::Jump => quote!(Jump),
+            };
+            out.extend(
+                quote!(let #result = a.branch(#condition, #yes, #no, __zeroset::Undecided::#undecided);),
+            );
+            if let Some(f) = of(*c) {
+                out.extend(quote!(let #result = a.join(#result, #f);));
+            }
+            return Some(result);
+        }
+        let mut all: Vec<Ident> = Vec::new();
+        for f in crate::graph::operands(op).into_iter().filter_map(of) {
+            if !all.contains(&f) {
+                all.push(f);
+            }
+        }
+        match (flagged, all.as_slice()) {
+            (false, []) => None,
+            (false, [one]) => Some(one.clone()),
+            (true, _) => {
+                for f in all {
+                    out.extend(quote!(let #result = a.join(#result, #f);));
+                }
+                Some(result)
+            }
+            (false, [first, rest @ ..]) => {
+                let joined = rest
+                    .iter()
+                    .fold(first.to_token_stream(), |sum, f| quote!(a.join(#sum, #f)));
+                out.extend(quote!(let #result = #joined;));
+                Some(result)
+            }
+        }
+    }
+}
+
+fn call(name: &str, arguments: &[TokenStream]) -> Expression {
+    let name = format_ident!("{name}");
+    Expression {
+        code: quote!(a.#name(#(#arguments),*)),
+        flagged: false,
+    }
+}
+
+/// Does the operation's inclusion keep the lower bound at 0 or above by itself?
+fn bounded_by_itself(op: &Op) -> bool {
+    match op {
+        Op::Power(_, n) => n % 2 == 0,
+        Op::Unary(f, _) => {
+            matches!(
+                f,
+                Function::Abs | Function::Exp | Function::Exp2 | Function::Sqrt | Function::Cosh
+            )
+        }
+        Op::Binary(Function::Hypot | Function::Min | Function::Max, ..) => true,
+        _ => false,
+    }
+}
+
+fn leaf_value(place: &TokenStream, quadratic: bool, order: u8) -> TokenStream {
+    let kind = if quadratic { "quadratic" } else { "linear" };
+    let name = match order {
+        0 => format_ident!("{kind}"),
+        1 => format_ident!("{kind}_slope"),
+        _ => format_ident!("{kind}_curvature"),
+    };
+    quote!(t.#name(a, &#place))
+}
+
+/// A fold's accumulators: declaration and update. Extremes take the first row as it is, because ±∞ on both sides is no
+/// interval.
+fn accumulator(
+    name: &Ident,
+    kind: FoldKind,
+    fold: usize,
+    args: &[&Ident],
+) -> (TokenStream, TokenStream) {
+    let start = |n: i64| {
+        let n = interval(&num_rational::BigRational::from_integer(n.into()));
+        quote!(a.constant(&#n))
+    };
+    let (zero, one) = (start(0), start(1));
+    let first = format_ident!("j{fold}");
+    let part = |k: &str| format_ident!("{name}{k}");
+    match (kind, args) {
+        (FoldKind::Sum, [b, ..]) => (
+            quote!(let mut #name = #zero;),
+            quote!(#name = a.add(#name, #b);),
+        ),
+        (FoldKind::Product, [b]) => (
+            quote!(let mut #name = #one;),
+            quote!(#name = a.mul(#name, #b);),
+        ),
+        (FoldKind::Product, [b, d]) => {
+            let p = part("p");
+            let declare = quote!(let mut #p = #one; let mut #name = #zero;);
+            (
+                declare,
+                quote! { #name = a.add(a.mul(#name, #b), a.mul(#p, #d)); #p = a.mul(#p, #b); },
+            )
+        }
+        (FoldKind::Product, [b, u, v, uv, ..]) => {
+            let (p, pu, pv) = (part("p"), part("pu"), part("pv"));
+            let declare = quote! {
+                let mut #p = #one; let mut #pu = #zero; let mut #pv = #zero; let mut #name = #zero;
+            };
+            let update = quote! {
+                #name = a.add(
+                    a.add(a.mul(#name, #b), a.mul(#p, #uv)),
+                    a.add(a.mul(#pu, #v), a.mul(#pv, #u)),
+                );
+                #pu = a.add(a.mul(#pu, #b), a.mul(#p, #u));
+                #pv = a.add(a.mul(#pv, #b), a.mul(#p, #v));
+                #p = a.mul(#p, #b);
+            };
+            (declare, update)
+        }
+        (FoldKind::Minimum | FoldKind::Maximum, [b]) => {
+            let f = if kind == FoldKind::Minimum {
+                quote!(min)
+            } else {
+                quote!(max)
+            };
+            let update = quote!(#name = if #first == 0 { #b } else { a.#f(#name, #b) };);
+            (quote!(let mut #name = #zero;), update)
+        }
+        (FoldKind::Minimum | FoldKind::Maximum, [b, d, ..]) => {
+            let m = part("m");
+            let chosen = format_ident!("c{}", name.to_string().trim_start_matches('n'));
+            let (f, wins) = if kind == FoldKind::Minimum {
+                (quote!(min), quote!(a.less(#m, #b)))
+            } else {
+                (quote!(max), quote!(a.less(#b, #m)))
+            };
+            let update = quote! {
+                if #first == 0 {
+                    #m = #b;
+                    #name = #d;
+                } else {
+                    let wins = #wins;
+                    #name = a.choose(wins, #name, #d);
+                    #chosen = a.branch(wins, a.clear(), a.clear(), __zeroset::Undecided::Kink);
+                    #m = a.#f(#m, #b);
+                }
+            };
+            (quote!(let mut #m = #zero; let mut #name = #zero;), update)
+        }
+        _ => (quote!(let #name = #zero;), quote!()),
+    }
+}
+
+/// A loop over rows of the prepared surface.
+pub fn enter_rows(
+    graph: &Graph,
+    layout: &Layout,
+    fold: usize,
+    scope: Scope,
+    along_a_ray: bool,
+) -> (TokenStream, TokenStream) {
+    let (j, k) = (format_ident!("j{fold}"), format_ident!("k{fold}"));
+    let (header, mut start) = match layout.active(fold) {
+        Some(list) if along_a_ray => {
+            let list = quote!(bound.2[#list]);
+            (
+                quote!(for #j in 0..#list.len()),
+                quote!(let #k = #list[#j] as __zeroset::primitive::usize;),
+            )
+        }
+        _ => {
+            let length = layout.length(graph, fold);
+            (quote!(for #j in 0..#length), quote!(let #k = #j;))
+        }
+    };
+    for (index, entered) in layout.entered(fold, scope) {
+        let (row, leaves) = (format_ident!("row{index}"), format_ident!("leaves{index}"));
+        let mut prepared = layout.prepared_rows(index);
+        let mut bound = layout.bound_rows(index);
+        for f in entered.folds() {
+            let (j, k) = (format_ident!("j{f}"), format_ident!("k{f}"));
+            prepared = quote!(#prepared[#k]);
+            bound = quote!(#bound[#j]);
+        }
+        start.extend(quote!(let #row = &#prepared;));
+        if along_a_ray {
+            start.extend(quote!(let #leaves = &#bound;));
+        }
+    }
+    (header, start)
+}
+
+/// A loop over the rows of a field, or over a range.
+pub fn enter_fields(graph: &Graph, fields: &[Ident], fold: usize) -> (TokenStream, TokenStream) {
+    let (j, r, i) = (
+        format_ident!("j{fold}"),
+        format_ident!("r{fold}"),
+        format_ident!("i{fold}"),
+    );
+    match graph.folds.get(fold).map(|f| &f.over) {
+        Some(Over::Table(field, indices)) => {
+            let Some(name) = fields.get(*field) else {
+                return (quote!(), quote!());
+            };
+            let indices = indices.iter().map(index);
+            let table = quote!(self.#name #(#indices)*);
+            (
+                quote!(for #j in 0..#table.len()),
+                quote!(let #r = #table[#j];),
+            )
+        }
+        Some(Over::Range(start, end)) => {
+            let length = count(usize::try_from(end - start).unwrap_or(0));
+            let start = Literal::i64_suffixed(*start);
+            let counter = quote!(let #i = #start + #j as __zeroset::primitive::i64;);
+            (
+                quote!(for #j in 0..(#length as __zeroset::primitive::usize)),
+                counter,
+            )
+        }
+        None => (quote!(), quote!()),
+    }
+}

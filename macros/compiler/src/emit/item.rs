@@ -1,0 +1,253 @@
+//! The struct itself: fields, `Default`, setters, `check` and `domain`.
+
+use super::block::block;
+use super::enclosure::{Enclosure, Stage};
+use super::layout::Layout;
+use super::plain::Plain;
+use crate::front::{Head, HeadField};
+use crate::graph::{Graph, Id, Scope};
+use crate::lower::{Lowering, TooLarge};
+use crate::tree::{Default, Field, Formula, Shape, Term};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+use std::collections::HashMap;
+
+/// The definition of the struct, with its name.
+pub fn definition(
+    attributes: &TokenStream,
+    visibility: &TokenStream,
+    name: &Ident,
+    fields: &[FieldHead],
+) -> TokenStream {
+    if fields.is_empty() {
+        return quote!(#attributes #visibility struct #name;);
+    }
+    let fields = fields.iter().map(|f| {
+        let (attributes, visibility, name, ty) = (&f.attributes, &f.visibility, &f.name, &f.ty);
+        quote!(#attributes #visibility #name: #ty)
+    });
+    quote!(#attributes #visibility struct #name { #(#fields),* })
+}
+
+/// What the struct needs of a field.
+pub struct FieldHead {
+    /// Attributes that pass through.
+    pub attributes: TokenStream,
+    /// Visibility as written.
+    pub visibility: TokenStream,
+    /// Its name.
+    pub name: Ident,
+    /// Its type as it stands in the struct.
+    pub ty: TokenStream,
+}
+
+impl From<&Field> for FieldHead {
+    fn from(f: &Field) -> Self {
+        FieldHead {
+            attributes: f.attributes.clone(),
+            visibility: f.visibility.clone(),
+            name: f.name.clone(),
+            ty: f.ty.clone(),
+        }
+    }
+}
+
+impl From<&HeadField> for FieldHead {
+    fn from(f: &HeadField) -> Self {
+        FieldHead {
+            attributes: f.attributes.clone(),
+            visibility: f.visibility.clone(),
+            name: f.name.clone(),
+            ty: f.ty.clone(),
+        }
+    }
+}
+
+/// `Default` of a formula with mistakes, where the right one would have it.
+pub fn placeholder_default(head: &Head) -> TokenStream {
+    let derived = head.attributes.to_string().contains("Default");
+    if derived || head.fields.iter().any(|f| !f.has_default) {
+        return TokenStream::new();
+    }
+    let name = &head.name;
+    quote! {
+        impl __zeroset::Default for #name {
+            fn default() -> Self {
+                loop {}
+            }
+        }
+    }
+}
+
+/// `with_…` for each field.
+pub fn setters(name: &Ident, fields: &[FieldHead]) -> TokenStream {
+    if fields.is_empty() {
+        return TokenStream::new();
+    }
+    let methods = fields.iter().map(|f| {
+        let (visibility, field, ty) = (&f.visibility, &f.name, &f.ty);
+        let method = format_ident!("with_{}", plain_name(field), span = field.span());
+        let doc = format!("The same surface with another `{}`.", plain_name(field));
+        quote! {
+            #[doc = #doc]
+            #[must_use]
+            #[allow(dead_code, clippy::needless_update)]
+            #visibility fn #method(mut self, #field: #ty) -> Self {
+                self.#field = #field;
+                self
+            }
+        }
+    });
+    quote!(impl #name { #(#methods)* })
+}
+
+fn plain_name(name: &Ident) -> String {
+    let text = name.to_string();
+    text.strip_prefix("r#").map(str::to_owned).unwrap_or(text)
+}
+
+/// `Default`, where every field has a default and the user does not derive it.
+pub fn default(formula: &Formula, name: &Ident) -> Result<TokenStream, TooLarge> {
+    let derived = formula.attributes.to_string().contains("Default");
+    if derived || formula.fields.iter().any(|f| f.default.is_none()) {
+        return Ok(TokenStream::new());
+    }
+    let mut values = Vec::new();
+    for f in &formula.fields {
+        let Some(default) = &f.default else { continue };
+        let (field, value) = (&f.name, default_value(formula, default, &f.shape)?);
+        values.push(quote!(#field: #value));
+    }
+    Ok(quote! {
+        impl __zeroset::Default for #name {
+            fn default() -> Self {
+                Self { #(#values),* }
+            }
+        }
+    })
+}
+
+fn default_value(
+    formula: &Formula,
+    default: &Default,
+    shape: &Shape,
+) -> Result<TokenStream, TooLarge> {
+    match (default, shape) {
+        (Default::Number(term), _) => {
+            let mut lowering = Lowering::new(formula);
+            let id = lowering.term(term)?;
+            let mut body = TokenStream::new();
+            let mut target = Plain {
+                graph: &lowering.graph,
+                fields: &[],
+            };
+            let value = block(
+                &lowering.graph,
+                &mut target,
+                Scope::default(),
+                &[id],
+                &mut HashMap::new(),
+                &mut body,
+            );
+            Ok(quote!({ #body #(#value)* }))
+        }
+        (Default::Table(rows), shape) => {
+            let inner = match shape {
+                Shape::Array(inner, _) | Shape::Vec(inner) => inner,
+                Shape::Number => shape,
+            };
+            let rows = rows
+                .iter()
+                .map(|r| default_value(formula, r, inner))
+                .collect::<Result<Vec<_>, _>>()?;
+            Ok(match shape {
+                Shape::Vec(_) => quote!(__zeroset::vec![#(#rows),*]),
+                _ => quote!([#(#rows),*]),
+            })
+        }
+    }
+}
+
+/// `check`: finite fields, and a row for each `min` and `max` over a table of run-time length.
+pub fn check(graph: &Graph, surface: &str, fields: &[Field], extremes: &[usize]) -> TokenStream {
+    let finite = fields.iter().map(|f| {
+        let (name, text) = (&f.name, plain_name(&f.name));
+        let test = finite(quote!(self.#name), &f.shape, surface, &text);
+        quote!(#test)
+    });
+    let rows = extremes.iter().filter_map(|fold| match &graph.folds.get(*fold)?.over {
+        crate::graph::Over::Table(field, indices) if indices.is_empty() => {
+            let name = &fields.get(*field)?.name;
+            let text = plain_name(name);
+            Some(quote! {
+                if self.#name.is_empty() {
+                    return __zeroset::Err(__zeroset::ParameterError::EmptyTable { surface: #surface, field: #text });
+                }
+            })
+        }
+        _ => None,
+    });
+    quote! {
+        fn check(&self) -> __zeroset::Result<(), __zeroset::ParameterError> {
+            #(#finite)*
+            #(#rows)*
+            __zeroset::Ok(())
+        }
+    }
+}
+
+fn finite(place: TokenStream, shape: &Shape, surface: &str, field: &str) -> TokenStream {
+    match shape {
+        Shape::Number => quote!(__zeroset::finite(#surface, #field, #place)?;),
+        Shape::Array(inner, _) | Shape::Vec(inner) => {
+            let body = finite(quote!((*row)), inner, surface, field);
+            quote!(for row in #place.iter() { #body })
+        }
+    }
+}
+
+/// `domain`: the box, rounded outward.
+pub fn domain(formula: &Formula) -> Result<TokenStream, TooLarge> {
+    let body = match &formula.domain {
+        None => quote!(__zeroset::Option::None),
+        Some(axes) => {
+            let mut low = Vec::new();
+            let mut high = Vec::new();
+            for [from, to] in axes {
+                low.push(bound(formula, from, &quote!(lo))?);
+                high.push(bound(formula, to, &quote!(hi))?);
+            }
+            quote!(__zeroset::Option::Some([[#(#low),*], [#(#high),*]]))
+        }
+    };
+    Ok(quote! {
+        fn domain(&self) -> __zeroset::Option<[[__zeroset::primitive::f64; 3]; 2]> {
+            #body
+        }
+    })
+}
+
+fn bound(formula: &Formula, term: &Term, side: &TokenStream) -> Result<TokenStream, TooLarge> {
+    let mut lowering = Lowering::new(formula);
+    let id: Id = lowering.term(term)?;
+    let graph = &lowering.graph;
+    let layout = Layout::new(graph, &[], &[]);
+    let mut target = Enclosure {
+        graph,
+        layout: &layout,
+        stage: Stage::Surface,
+        fields: &[],
+        operations: 0,
+    };
+    let mut body = TokenStream::new();
+    let value = block(
+        graph,
+        &mut target,
+        Scope::default(),
+        &[id],
+        &mut HashMap::new(),
+        &mut body,
+    );
+    let name = value.iter().map(|v| &v.name);
+    Ok(quote_spanned!(term.source.start=> { let a = __zeroset::scalar(); #body #(#name)*.#side }))
+}

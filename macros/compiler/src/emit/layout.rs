@@ -1,0 +1,217 @@
+//! Where the values of the surface and ray stages are stored.
+//!
+//! `Prepared` is the tuple (values, undefined, rows of scope 0, rows of scope 1, …), `Bound` the tuple (linear leaves,
+//! quadratic leaves, active rows, rows of scope 0, …). A scope is a set of nested loops; its rows are a `Vec` of arrays
+//! for one loop, a `Vec` of `Vec`s for two, and so on.
+
+use crate::graph::{Graph, Id, Op, Scope, operands};
+use crate::stage::Leaf;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
+
+/// What is stored for one scope.
+#[derive(Default, Debug)]
+pub struct Store {
+    /// Values of the surface stage.
+    pub values: Vec<Id>,
+    /// Linear leaves.
+    pub linear: Vec<usize>,
+    /// Quadratic leaves.
+    pub quadratic: Vec<usize>,
+}
+
+/// The storage of a surface.
+#[derive(Debug)]
+pub struct Layout {
+    /// The scope without loops.
+    pub top: Store,
+    /// The other scopes.
+    pub rows: Vec<(Scope, Store)>,
+    /// Folds whose rows depend on no other fold: they have lists of active rows.
+    pub outermost: Vec<usize>,
+    values: HashMap<Id, (Scope, usize)>,
+    leaves: Vec<(Scope, bool, usize)>,
+}
+
+impl Layout {
+    /// Storage for all surface values that the nodes under `roots` use, and for the leaves.
+    pub fn new(graph: &Graph, leaves: &[Leaf], roots: &[Id]) -> Layout {
+        let outermost = (0..graph.folds.len())
+            .filter(|&f| graph.chain(f) == Scope::of(f))
+            .collect();
+        let mut layout = Layout {
+            top: Store::default(),
+            rows: Vec::new(),
+            outermost,
+            values: HashMap::new(),
+            leaves: Vec::new(),
+        };
+        for fold in 0..graph.folds.len() {
+            layout.store(graph.chain(fold));
+        }
+        let nodes: Vec<Id> = roots
+            .iter()
+            .copied()
+            .chain(leaves.iter().map(|l| l.node))
+            .collect();
+        for &id in &nodes {
+            layout.keep(graph, id);
+        }
+        for id in graph.reachable(&nodes, |id| !graph.varies(id)) {
+            if graph.varies(id) {
+                for operand in operands(graph.op(id)) {
+                    layout.keep(graph, operand);
+                }
+                // A loop needs its fold's length, even if no row is stored.
+                if let Op::Fold(_, fold, _) = graph.op(id) {
+                    layout.store(graph.chain(*fold));
+                }
+            }
+        }
+        for (k, leaf) in leaves.iter().enumerate() {
+            let scope = graph.info(leaf.node).scope;
+            let store = layout.store(scope);
+            let list = if leaf.quadratic {
+                &mut store.quadratic
+            } else {
+                &mut store.linear
+            };
+            let index = list.len();
+            list.push(k);
+            layout.leaves.push((scope, leaf.quadratic, index));
+        }
+        layout
+    }
+
+    fn store(&mut self, scope: Scope) -> &mut Store {
+        if scope == Scope::default() {
+            return &mut self.top;
+        }
+        let index = match self.rows.iter().position(|r| r.0 == scope) {
+            Some(index) => index,
+            None => {
+                self.rows.push((scope, Store::default()));
+                self.rows.len() - 1
+            }
+        };
+        &mut self.rows[index].1
+    }
+
+    fn keep(&mut self, graph: &Graph, id: Id) {
+        if graph.varies(id) || graph.literal(id).is_some() || self.values.contains_key(&id) {
+            return;
+        }
+        let scope = graph.info(id).scope;
+        let values = &mut self.store(scope).values;
+        let index = values.len();
+        values.push(id);
+        self.values.insert(id, (scope, index));
+    }
+
+    /// The place of a surface value: `prepared.0[3]`, or `row2[3]` inside loops.
+    pub fn value(&self, id: Id) -> Option<TokenStream> {
+        let (scope, index) = self.values.get(&id)?;
+        let index = Literal::usize_unsuffixed(*index);
+        Some(match self.row(*scope) {
+            None => quote!(prepared.0[#index]),
+            Some(k) => {
+                let row = format_ident!("row{k}");
+                quote!(#row[#index])
+            }
+        })
+    }
+
+    /// The place of a leaf, and whether it is quadratic.
+    pub fn leaf(&self, leaf: usize) -> Option<(TokenStream, bool)> {
+        let (scope, quadratic, index) = self.leaves.get(leaf)?;
+        let (index, part) = (
+            Literal::usize_unsuffixed(*index),
+            Literal::u8_unsuffixed(u8::from(*quadratic)),
+        );
+        let place = match self.row(*scope) {
+            None => quote!(bound.#part[#index]),
+            Some(k) => {
+                let row = format_ident!("leaves{k}");
+                quote!(#row.#part[#index])
+            }
+        };
+        Some((place, *quadratic))
+    }
+
+    fn row(&self, scope: Scope) -> Option<usize> {
+        self.rows.iter().position(|r| r.0 == scope)
+    }
+
+    /// The scopes that become complete when the loop of `fold` is entered inside `scope` (which holds it).
+    pub fn entered(&self, fold: usize, scope: Scope) -> impl Iterator<Item = (usize, Scope)> {
+        let all = self.rows.iter().enumerate().map(|(k, r)| (k, r.0));
+        all.filter(move |(_, s)| s.has(fold) && s.within(scope))
+    }
+
+    /// `prepared.4`: all rows of a scope in the tuple `Prepared`.
+    pub fn prepared_rows(&self, k: usize) -> TokenStream {
+        let field = Literal::usize_unsuffixed(2 + k);
+        quote!(prepared.#field)
+    }
+
+    /// `bound.5`: all rows of a scope in the tuple `Bound`.
+    pub fn bound_rows(&self, k: usize) -> TokenStream {
+        let field = Literal::usize_unsuffixed(3 + k);
+        quote!(bound.#field)
+    }
+
+    /// How many rows a fold has, once the loops around it are entered.
+    pub fn length(&self, graph: &Graph, fold: usize) -> TokenStream {
+        let chain = graph.chain(fold);
+        let mut place = match self.row(chain) {
+            Some(k) => self.prepared_rows(k),
+            None => return quote!(0),
+        };
+        for outer in chain.without(fold).folds() {
+            let k = format_ident!("k{outer}");
+            place = quote!(#place[#k]);
+        }
+        quote!(#place.len())
+    }
+
+    /// The list of a fold's active rows: its index in `Active::rows`.
+    pub fn active(&self, fold: usize) -> Option<Literal> {
+        self.outermost
+            .iter()
+            .position(|f| *f == fold)
+            .map(Literal::usize_unsuffixed)
+    }
+
+    /// The type `Prepared`.
+    pub fn prepared_type(&self) -> TokenStream {
+        let count = Literal::usize_unsuffixed(self.top.values.len());
+        let rows = self.rows.iter().map(|(scope, store)| {
+            let count = Literal::usize_unsuffixed(store.values.len());
+            nested(*scope, quote!([__zeroset::Interval; #count]))
+        });
+        quote!(([__zeroset::Interval; #count], __zeroset::primitive::bool, #(#rows,)*))
+    }
+
+    /// The type `Bound<P>`.
+    pub fn bound_type(&self) -> TokenStream {
+        let top = leaves_type(&self.top);
+        let rows = self.rows.iter().map(|(scope, store)| {
+            let row = leaves_type(store);
+            nested(*scope, quote!((#row)))
+        });
+        quote!((#top __zeroset::Vec<__zeroset::Vec<__zeroset::primitive::u32>>, #(#rows,)*))
+    }
+}
+
+fn leaves_type(store: &Store) -> TokenStream {
+    let linear = Literal::usize_unsuffixed(store.linear.len());
+    let quadratic = Literal::usize_unsuffixed(store.quadratic.len());
+    quote!([__zeroset::Linear<P>; #linear], [__zeroset::Quadratic<P>; #quadratic],)
+}
+
+fn nested(scope: Scope, row: TokenStream) -> TokenStream {
+    scope
+        .folds()
+        .fold(row, |inner, _| quote!(__zeroset::Vec<#inner>))
+}

@@ -1,0 +1,399 @@
+//! The functions of `Surface`, one per binding time and entry point.
+
+use super::block::block;
+use super::enclosure::enter_rows;
+use super::enclosure::{Enclosure, Stage, Value, enter_fields};
+use super::layout::Layout;
+use super::plain::Plain;
+use super::polynomial::{Polynomial, enter_active};
+use crate::graph::{Graph, Id, Scope};
+use crate::stage::Staged;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
+
+/// A compiled formula: the graph with everything that code is made from.
+pub struct Compiled<'a> {
+    /// The graph.
+    pub graph: &'a Graph,
+    /// The storage.
+    pub layout: &'a Layout,
+    /// The fields' names.
+    pub fields: &'a [Ident],
+    /// f in space.
+    pub root: Id,
+    /// The segment stage.
+    pub staged: &'a Staged,
+    /// f, its gradient and its Hessian (upper triangle by rows) in space.
+    pub space: &'a [Id],
+    /// May an operation of the surface stage be undefined?
+    pub partial: bool,
+}
+
+/// A function with the operations that it holds.
+pub struct Counted {
+    /// The function.
+    pub code: TokenStream,
+    /// Interval operations, bodies of loops counted once.
+    pub operations: u32,
+}
+
+impl Compiled<'_> {
+    fn enclosure(&self, stage: Stage) -> Enclosure<'_> {
+        Enclosure {
+            graph: self.graph,
+            layout: self.layout,
+            stage,
+            fields: self.fields,
+            operations: 0,
+        }
+    }
+
+    /// `prepare`: the surface stage, in scalars.
+    pub fn prepare(&self) -> TokenStream {
+        let mut body = TokenStream::new();
+        let mut target = self.enclosure(Stage::Surface);
+        let mut known = HashMap::new();
+        let values = block(
+            self.graph,
+            &mut target,
+            Scope::default(),
+            &self.layout.top.values,
+            &mut known,
+            &mut body,
+        );
+        let mut rows = Vec::new();
+        for (k, (scope, store)) in self.layout.rows.iter().enumerate() {
+            let name = format_ident!("rows{k}");
+            let code = self.prepared_rows(*scope, &store.values, &known);
+            body.extend(quote!(let #name = #code;));
+            rows.push(name);
+        }
+        let undefined = undefined(&values);
+        let names = values.iter().map(|v| &v.name);
+        quote! {
+            fn prepare(&self) -> Self::Prepared {
+                let a = __zeroset::scalar();
+                let mut undefined = false;
+                #body
+                #undefined
+                ([#(#names),*], undefined, #(#rows,)*)
+            }
+        }
+    }
+
+    /// The rows of one scope: a `Vec` per loop.
+    fn prepared_rows(
+        &self,
+        scope: Scope,
+        values: &[Id],
+        known: &HashMap<Id, Value>,
+    ) -> TokenStream {
+        let folds: Vec<usize> = scope.folds().collect();
+        let mut target = self.enclosure(Stage::Surface);
+        let mut known = known.clone();
+        let mut body = TokenStream::new();
+        let row = block(
+            self.graph,
+            &mut target,
+            scope,
+            values,
+            &mut known,
+            &mut body,
+        );
+        let (undefined, names) = (undefined(&row), row.iter().map(|v| &v.name));
+        let mut code = quote!({ #body #undefined [#(#names),*] });
+        for fold in folds.into_iter().rev() {
+            let (header, start) = enter_fields(self.graph, self.fields, fold);
+            code = quote! {{
+                let mut rows = __zeroset::Vec::new();
+                #header {
+                    #start
+                    let row = #code;
+                    rows.push(row);
+                }
+                rows
+            }};
+        }
+        code
+    }
+
+    /// `everything`: all rows of the outermost folds.
+    pub fn everything(&self) -> TokenStream {
+        let lengths = self
+            .layout
+            .outermost
+            .iter()
+            .map(|f| self.layout.length(self.graph, *f));
+        quote! {
+            fn everything(prepared: &Self::Prepared) -> __zeroset::Active {
+                __zeroset::Active { rows: __zeroset::vec![#((0..#lengths as __zeroset::primitive::u32).collect()),*] }
+            }
+        }
+    }
+
+    /// `unbound` and `bind`: the ray stage.
+    pub fn bind(&self) -> TokenStream {
+        let top = self.bind_scope(Scope::default());
+        let linear = Literal::usize_unsuffixed(self.layout.top.linear.len());
+        let quadratic = Literal::usize_unsuffixed(self.layout.top.quadratic.len());
+        let lists = self.layout.outermost.len();
+        let list = (0..lists).map(Literal::usize_unsuffixed);
+        let new = self
+            .layout
+            .rows
+            .iter()
+            .map(|_| quote!(__zeroset::Vec::new()));
+        let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k));
+        quote! {
+            #[inline(always)]
+            fn unbound<P: __zeroset::Packet>(p: P) -> Self::Bound<P> {
+                (
+                    [__zeroset::Linear::zero(p); #linear],
+                    [__zeroset::Quadratic::zero(p); #quadratic],
+                    __zeroset::vec![__zeroset::Vec::new(); #lists],
+                    #(#new,)*
+                )
+            }
+
+            #[inline(always)]
+            fn bind<P: __zeroset::Packet>(
+                a: P,
+                prepared: &Self::Prepared,
+                rays: &__zeroset::Rays<P>,
+                active: &__zeroset::Active,
+                bound: &mut Self::Bound<P>,
+            ) {
+                #(
+                    bound.2[#list].clear();
+                    bound.2[#list].extend_from_slice(&active.rows[#list]);
+                )*
+                #top
+                #(#rows)*
+            }
+        }
+    }
+
+    /// The leaves of a scope, as (linear, quadratic) expressions after the code that computes them.
+    fn leaves(
+        &self,
+        scope: Scope,
+        linear: &[usize],
+        quadratic: &[usize],
+    ) -> (TokenStream, Vec<TokenStream>, Vec<TokenStream>) {
+        let node = |k: &usize| self.staged.leaves.get(*k).map(|l| l.node);
+        let targets: Vec<Id> = linear.iter().chain(quadratic).filter_map(node).collect();
+        let mut target = Polynomial {
+            graph: self.graph,
+            layout: self.layout,
+        };
+        let mut body = TokenStream::new();
+        let values = block(
+            self.graph,
+            &mut target,
+            scope,
+            &targets,
+            &mut HashMap::new(),
+            &mut body,
+        );
+        let (first, second) = values.split_at(linear.len().min(values.len()));
+        let linear = first
+            .iter()
+            .map(|c| quote!(__zeroset::Linear::new(a, #(#c),*)))
+            .collect();
+        let quadratic = second
+            .iter()
+            .map(|c| quote!(__zeroset::Quadratic::new(a, #(#c),*)))
+            .collect();
+        (body, linear, quadratic)
+    }
+
+    fn bind_scope(&self, scope: Scope) -> TokenStream {
+        let store = &self.layout.top;
+        let (body, linear, quadratic) = self.leaves(scope, &store.linear, &store.quadratic);
+        if linear.is_empty() && quadratic.is_empty() {
+            return TokenStream::new();
+        }
+        let (i, j) = (indices(linear.len()), indices(quadratic.len()));
+        quote! {
+            #body
+            #(bound.0[#i] = #linear;)*
+            #(bound.1[#j] = #quadratic;)*
+        }
+    }
+
+    fn bind_rows(&self, k: usize) -> TokenStream {
+        let Some((scope, store)) = self.layout.rows.get(k) else {
+            return TokenStream::new();
+        };
+        let (body, linear, quadratic) = self.leaves(*scope, &store.linear, &store.quadratic);
+        let place = self.layout.bound_rows(k);
+        let mut code = quote!({ #body ([#(#linear),*], [#(#quadratic),*]) });
+        let folds: Vec<usize> = scope.folds().collect();
+        let mut around = Scope::default();
+        let mut loops = Vec::new();
+        for fold in folds {
+            around = around.union(Scope::of(fold));
+            let (header, start) = enter_rows(self.graph, self.layout, fold, around, false);
+            loops.push(match self.layout.active(fold) {
+                Some(list) => enter_active(fold, &list, start),
+                None => (header, start),
+            });
+        }
+        // The outermost `Vec` keeps its room from packet to packet.
+        for (depth, (header, start)) in loops.into_iter().enumerate().rev() {
+            code = if depth == 0 {
+                quote!(#place.clear(); #header { #start let leaves = #code; #place.push(leaves); })
+            } else {
+                quote! {{
+                    let mut rows = __zeroset::Vec::new();
+                    #header { #start let leaves = #code; rows.push(leaves); }
+                    rows
+                }}
+            };
+        }
+        code
+    }
+
+    /// `value`, `slope` or `curvature`: the first `n` derivatives along the ray.
+    pub fn segment(&self, name: &str, n: usize) -> Counted {
+        let targets: Vec<Id> = self.staged.jet.iter().take(n).flatten().copied().collect();
+        let mut target = self.enclosure(Stage::Segment);
+        let (body, jet) = self.jet(&mut target, &targets, 1);
+        let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
+        let code = quote! {
+            #[inline(always)]
+            fn #name<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
+                a: A,
+                prepared: &Self::Prepared,
+                bound: &Self::Bound<A::Packet>,
+                t: T,
+            ) -> __zeroset::Jet<A::Value, A::Packet, #n> {
+                #body
+                #jet
+            }
+        };
+        Counted {
+            code,
+            operations: target.operations,
+        }
+    }
+
+    /// `gradient` or `hessian`: the first `n` of the values in space.
+    pub fn space(&self, name: &str, n: usize) -> Counted {
+        let targets: Vec<Id> = self.space.iter().take(n).copied().collect();
+        let mut target = self.enclosure(Stage::Space);
+        let (body, jet) = self.jet(&mut target, &targets, 1);
+        let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
+        let code = quote! {
+            #[inline(always)]
+            fn #name<A: __zeroset::Arithmetic>(
+                a: A,
+                prepared: &Self::Prepared,
+                point: [A::Value; 3],
+            ) -> __zeroset::Jet<A::Value, A::Packet, #n> {
+                #body
+                #jet
+            }
+        };
+        Counted {
+            code,
+            operations: target.operations,
+        }
+    }
+
+    /// Code for a value and its derivatives, and the `Jet` of them. The first `values` targets are the function itself:
+    /// only they can say that it is *empty*.
+    fn jet(
+        &self,
+        target: &mut Enclosure,
+        targets: &[Id],
+        values: usize,
+    ) -> (TokenStream, TokenStream) {
+        let mut body = TokenStream::new();
+        let mut known = HashMap::new();
+        let all = block(
+            self.graph,
+            target,
+            Scope::default(),
+            targets,
+            &mut known,
+            &mut body,
+        );
+        let mut flags = quote!(a.clear());
+        let mut seen: Vec<&Ident> = Vec::new();
+        for (k, value) in all.iter().enumerate() {
+            let Some(f) = &value.flags else { continue };
+            if seen.contains(&f) {
+                continue;
+            }
+            seen.push(f);
+            flags = if k < values {
+                quote!(a.join(#flags, #f))
+            } else {
+                quote!(a.join_derivative(#flags, #f))
+            };
+        }
+        if self.partial {
+            flags = quote!(a.join(#flags, a.undefined_if(prepared.1)));
+        }
+        let names = all.iter().map(|v| &v.name);
+        (
+            body,
+            quote!(__zeroset::Jet { d: [#(#names),*], flags: #flags }),
+        )
+    }
+
+    /// `at`: f in plain `f64`.
+    pub fn at(&self) -> TokenStream {
+        let mut body = TokenStream::new();
+        let mut target = Plain {
+            graph: self.graph,
+            fields: self.fields,
+        };
+        let value = block(
+            self.graph,
+            &mut target,
+            Scope::default(),
+            &[self.root],
+            &mut HashMap::new(),
+            &mut body,
+        );
+        quote! {
+            fn at(&self, point: [__zeroset::primitive::f64; 3]) -> __zeroset::primitive::f64 {
+                #body
+                #(#value)*
+            }
+        }
+    }
+
+    /// `quadric`: the leaf that is the whole formula, if there is one.
+    pub fn quadric(&self) -> TokenStream {
+        let whole = self
+            .staged
+            .leaves
+            .first()
+            .filter(|l| l.quadratic && l.node == self.root);
+        if whole.is_none() {
+            return TokenStream::new();
+        }
+        quote! {
+            #[inline(always)]
+            fn quadric<P: __zeroset::Packet>(
+                bound: &Self::Bound<P>,
+            ) -> __zeroset::Option<&__zeroset::Quadratic<P>> {
+                __zeroset::Option::Some(&bound.1[0])
+            }
+        }
+    }
+}
+
+fn indices(n: usize) -> impl Iterator<Item = Literal> {
+    (0..n).map(Literal::usize_unsuffixed)
+}
+
+/// Notes whether any of these values of the surface stage may be undefined.
+fn undefined(values: &[Value]) -> TokenStream {
+    let flags = values.iter().filter_map(|v| v.flags.as_ref());
+    quote!(#(undefined |= __zeroset::may_be_undefined(&#flags);)*)
+}

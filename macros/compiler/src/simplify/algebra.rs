@@ -1,0 +1,265 @@
+//! Sums, products, quotients and powers.
+
+use crate::graph::{Graph, Id, Op, Sign};
+use crate::tree::FoldKind;
+use num_rational::BigRational;
+use num_traits::{Pow, Signed, ToPrimitive, Zero};
+
+fn opposite(s: Sign) -> Sign {
+    match s {
+        Sign::Unknown => Sign::Unknown,
+        Sign::NonNegative => Sign::NonPositive,
+        Sign::NonPositive => Sign::NonNegative,
+    }
+}
+
+fn sign_of_product(a: Sign, b: Sign) -> Sign {
+    match (a, b) {
+        (Sign::Unknown, _) | (_, Sign::Unknown) => Sign::Unknown,
+        (a, b) if a == b => Sign::NonNegative,
+        _ => Sign::NonPositive,
+    }
+}
+
+fn sign_of_sum(a: Sign, b: Sign) -> Sign {
+    if a == b { a } else { Sign::Unknown }
+}
+
+impl Graph {
+    /// −a
+    pub fn negate(&mut self, a: Id) -> Id {
+        match self.op(a).clone() {
+            Op::Literal(r) => self.number(-r),
+            Op::Negate(inner) => inner,
+            Op::Subtract(b, c) => self.subtract(c, b),
+            _ => {
+                let info = self.info(a);
+                let (degree, sign) = (info.degree, opposite(info.sign));
+                self.node(Op::Negate(a), degree, sign, false)
+            }
+        }
+    }
+
+    /// a + b
+    pub fn add(&mut self, a: Id, b: Id) -> Id {
+        let (a, b) = if a <= b { (a, b) } else { (b, a) };
+        match (self.op(a).clone(), self.op(b).clone()) {
+            (Op::Literal(x), Op::Literal(y)) => {
+                if let Some(id) = self.exact(x + y) {
+                    return id;
+                }
+            }
+            (Op::Literal(x), _) if x.is_zero() => return b,
+            (_, Op::Literal(y)) if y.is_zero() => return a,
+            (_, Op::Negate(y)) => return self.subtract(a, y),
+            (Op::Negate(x), _) => return self.subtract(b, x),
+            _ if a == b => {
+                let two = self.integer(2);
+                return self.multiply(two, a);
+            }
+            _ => {}
+        }
+        let sign = sign_of_sum(self.info(a).sign, self.info(b).sign);
+        self.node(Op::Add(a, b), self.degree_of_sum(a, b), sign, false)
+    }
+
+    /// a − b
+    pub fn subtract(&mut self, a: Id, b: Id) -> Id {
+        match (self.op(a).clone(), self.op(b).clone()) {
+            (Op::Literal(x), Op::Literal(y)) => {
+                if let Some(id) = self.exact(x - y) {
+                    return id;
+                }
+            }
+            (Op::Literal(x), _) if x.is_zero() => return self.negate(b),
+            (_, Op::Literal(y)) if y.is_zero() => return a,
+            (_, Op::Negate(y)) => return self.add(a, y),
+            _ if a == b && self.info(a).total => return self.integer(0),
+            _ => {}
+        }
+        let sign = sign_of_sum(self.info(a).sign, opposite(self.info(b).sign));
+        self.node(Op::Subtract(a, b), self.degree_of_sum(a, b), sign, false)
+    }
+
+    fn degree_of_sum(&self, a: Id, b: Id) -> Option<u32> {
+        Some(self.info(a).degree?.max(self.info(b).degree?))
+    }
+
+    /// a·b
+    pub fn multiply(&mut self, a: Id, b: Id) -> Id {
+        let (a, b) = if a <= b { (a, b) } else { (b, a) };
+        match (self.op(a).clone(), self.op(b).clone()) {
+            (Op::Literal(x), Op::Literal(y)) => {
+                if let Some(id) = self.exact(x * y) {
+                    return id;
+                }
+            }
+            (Op::Literal(x), _) if x.is_zero() && self.info(b).total => return a,
+            (_, Op::Literal(y)) if y.is_zero() && self.info(a).total => return b,
+            _ if self.is_one(a) => return b,
+            _ if self.is_one(b) => return a,
+            _ if self.is(a, -1) => return self.negate(b),
+            _ if self.is(b, -1) => return self.negate(a),
+            (Op::Negate(x), Op::Negate(y)) => return self.multiply(x, y),
+            // A sign moves outward, where sums absorb it; literals absorb it at once.
+            (Op::Literal(x), Op::Negate(y)) => {
+                let c = self.number(-x);
+                return self.multiply(c, y);
+            }
+            (Op::Negate(x), Op::Literal(y)) => {
+                let c = self.number(-y);
+                return self.multiply(x, c);
+            }
+            (Op::Negate(x), _) => {
+                let p = self.multiply(x, b);
+                return self.negate(p);
+            }
+            (_, Op::Negate(y)) => {
+                let p = self.multiply(a, y);
+                return self.negate(p);
+            }
+            (Op::Literal(x), Op::Multiply(p, q)) | (Op::Multiply(p, q), Op::Literal(x)) => {
+                if let Some((c, rest)) = self.literal_factor(p, q)
+                    && let Some(id) = self.exact(x * c)
+                {
+                    return self.multiply(id, rest);
+                }
+            }
+            _ if a == b => return self.power(a, 2),
+            _ => {}
+        }
+        let sign = sign_of_product(self.info(a).sign, self.info(b).sign);
+        let degree = self.degree_of_product(a, b);
+        self.node(Op::Multiply(a, b), degree, sign, false)
+    }
+
+    fn literal_factor(&self, p: Id, q: Id) -> Option<(BigRational, Id)> {
+        let first = self.literal(p).map(|r| (r.clone(), q));
+        first.or_else(|| self.literal(q).map(|r| (r.clone(), p)))
+    }
+
+    fn degree_of_product(&self, a: Id, b: Id) -> Option<u32> {
+        self.info(a).degree?.checked_add(self.info(b).degree?)
+    }
+
+    /// a/b
+    pub fn divide(&mut self, a: Id, b: Id) -> Id {
+        if let Some(y) = self.literal(b).cloned()
+            && !y.is_zero()
+            && let Some(inverse) = self.exact(y.recip())
+        {
+            return self.multiply(inverse, a);
+        }
+        // One reciprocal at the surface stage serves all rays, and keeps polynomials polynomial.
+        if !self.varies(b) && self.varies(a) {
+            let inverse = self.reciprocal(b);
+            return self.multiply(a, inverse);
+        }
+        let sign = sign_of_product(self.info(a).sign, self.info(b).sign);
+        self.node(Op::Divide(a, b), None, sign, true)
+    }
+
+    /// 1/a
+    pub fn reciprocal(&mut self, a: Id) -> Id {
+        let one = self.integer(1);
+        self.divide(one, a)
+    }
+
+    /// aⁿ for a whole n ≥ 0
+    pub fn power(&mut self, a: Id, n: u32) -> Id {
+        match (self.op(a).clone(), n) {
+            (_, 1) => return a,
+            (_, 0) if self.info(a).total => return self.integer(1),
+            (Op::Literal(x), _) => {
+                let bits = x.numer().bits().max(x.denom().bits());
+                if bits.saturating_mul(n.into()) <= 2 * super::LITERAL_BITS
+                    && let Some(id) = self.exact(Pow::pow(x, n))
+                {
+                    return id;
+                }
+            }
+            (Op::Negate(x), _) if n % 2 == 0 => return self.power(x, n),
+            (Op::Unary(crate::functions::Function::Abs, x), _) if n % 2 == 0 => {
+                return self.power(x, n);
+            }
+            (Op::Power(x, m), _) => {
+                if let Some(k) = m.checked_mul(n) {
+                    return self.power(x, k);
+                }
+            }
+            _ => {}
+        }
+        let info = self.info(a);
+        let degree = info.degree.and_then(|d| d.checked_mul(n));
+        let sign = if n % 2 == 0 {
+            Sign::NonNegative
+        } else {
+            info.sign
+        };
+        self.node(Op::Power(a, n), degree, sign, false)
+    }
+
+    /// a^b for any b: whole exponents are powers or their reciprocals, halves go through the square root (the same
+    /// value on the same domain), the rest is exp(b·ln a) on its domain.
+    pub fn raise(&mut self, a: Id, b: Id) -> Id {
+        let Some(e) = self.literal(b).cloned() else {
+            return self.node(Op::RealPower(a, b), None, Sign::NonNegative, true);
+        };
+        let doubled = &e + &e;
+        let n = doubled
+            .is_integer()
+            .then(|| doubled.numer().abs().to_u32())
+            .flatten();
+        let Some(n) = n else {
+            return self.node(Op::RealPower(a, b), None, Sign::NonNegative, true);
+        };
+        let magnitude = if n % 2 == 0 {
+            self.power(a, n / 2)
+        } else {
+            let root = self.unary(crate::functions::Function::Sqrt, a);
+            self.power(root, n)
+        };
+        if e.is_negative() {
+            self.reciprocal(magnitude)
+        } else {
+            magnitude
+        }
+    }
+
+    /// A fold, with the arguments as in [`Op::Fold`].
+    pub fn fold(&mut self, kind: FoldKind, fold: usize, args: Vec<Id>) -> Id {
+        let [first, rest @ ..] = args.as_slice() else {
+            return self.integer(0);
+        };
+        let (first, order) = (*first, rest.len());
+        if kind == FoldKind::Sum && self.is_zero(first) {
+            return first;
+        }
+        if order > 0 && rest.iter().all(|d| self.is_zero(*d)) {
+            return self.integer(0);
+        }
+        let info = self.info(first).clone();
+        let degree = if kind == FoldKind::Sum && order == 0 {
+            info.degree
+        } else {
+            None
+        };
+        let sign = match (kind, order) {
+            (FoldKind::Product, 0) if info.sign == Sign::NonPositive => Sign::Unknown,
+            (_, 0) => info.sign,
+            _ => Sign::Unknown,
+        };
+        let op = Op::Fold(kind, fold, args);
+        let (total, scope) = self.of_operands(&op);
+        let degree = if self.fixed(&op) { Some(0) } else { degree };
+        // The rows come from this fold; what selects its table comes from the folds around it.
+        let outer = self.chain(fold).without(fold);
+        let scope = crate::graph::Scope(scope.without(fold).0 | outer.0);
+        self.intern(op, |_| crate::graph::Info {
+            degree,
+            sign,
+            total,
+            scope,
+        })
+    }
+}

@@ -1,0 +1,31 @@
+//! Comparisons and choices.
+
+use crate::graph::{Graph, Id, Op, Sign, Undecided};
+
+impl Graph {
+    /// A comparison or a combination of them; its "value" is a truth.
+    pub fn truth(&mut self, op: Op) -> Id {
+        self.node(op, None, Sign::Unknown, false)
+    }
+
+    /// The derivative of |a|.
+    pub fn abs_slope(&mut self, a: Id) -> Id {
+        if self
+            .literal(a)
+            .is_some_and(|r| *r > num_traits::Zero::zero())
+        {
+            return self.integer(1);
+        }
+        self.node(Op::AbsSlope(a), None, Sign::Unknown, false)
+    }
+
+    /// `condition ? yes : no`.
+    pub fn choose(&mut self, condition: Id, yes: Id, no: Id, undecided: Undecided) -> Id {
+        if yes == no && self.info(condition).total {
+            return yes;
+        }
+        let (p, q) = (self.info(yes).sign, self.info(no).sign);
+        let sign = if p == q { p } else { Sign::Unknown };
+        self.node(Op::Choose(condition, yes, no, undecided), None, sign, false)
+    }
+}

@@ -1,0 +1,111 @@
+//! Binding times: literal → surface → ray → segment.
+//!
+//! Literals were folded when the graph was built. What does not depend on the point is a value of the surface stage
+//! (its degree is 0). Each maximal subexpression of degree 1 or 2 becomes a leaf of the ray stage. The rest, rebuilt on
+//! the leaves, is the segment stage.
+
+use crate::graph::{Graph, Id, Info, Op, Sign, operands};
+use std::collections::HashMap;
+
+/// A leaf: its node in space, and whether it is quadratic.
+#[derive(Clone, Copy, Debug)]
+pub struct Leaf {
+    /// The subexpression that it stands for.
+    pub node: Id,
+    /// Degree 2, or else 1.
+    pub quadratic: bool,
+}
+
+/// The segment stage of a formula.
+#[derive(Debug, Default)]
+pub struct Staged {
+    /// The leaves of the ray stage.
+    pub leaves: Vec<Leaf>,
+    /// f, df/dt, d²f/dt² in terms of leaves and surface values.
+    pub jet: [Option<Id>; 3],
+}
+
+impl Staged {
+    /// Splits the formula `root` and differentiates it along the ray.
+    pub fn new(graph: &mut Graph, root: Id) -> Staged {
+        let mut staged = Staged::default();
+        let value = staged.rebuild(graph, root, &mut HashMap::new());
+        let leaves = staged.leaves.clone();
+        let leaf = |graph: &mut Graph, k: usize, order: u8| leaf_node(graph, &leaves, k, order);
+        let mut memo = HashMap::new();
+        let slope = graph.along(value, &mut memo, &leaf);
+        let curvature = graph.along(slope, &mut memo, &leaf);
+        staged.jet = [Some(value), Some(slope), Some(curvature)];
+        staged
+    }
+
+    /// The node with its maximal subexpressions of degree 1 and 2 replaced by leaves.
+    fn rebuild(&mut self, graph: &mut Graph, id: Id, memo: &mut HashMap<Id, Id>) -> Id {
+        if let Some(&known) = memo.get(&id) {
+            return known;
+        }
+        let new = match graph.info(id).degree {
+            Some(0) => id,
+            Some(degree @ 1..=2) => {
+                let k = self.leaves.len();
+                self.leaves.push(Leaf {
+                    node: id,
+                    quadratic: degree == 2,
+                });
+                leaf_node(graph, &self.leaves, k, 0)
+            }
+            _ => self.rebuild_operation(graph, id, memo),
+        };
+        memo.insert(id, new);
+        new
+    }
+
+    fn rebuild_operation(&mut self, graph: &mut Graph, id: Id, memo: &mut HashMap<Id, Id>) -> Id {
+        let op = graph.op(id).clone();
+        let args: Vec<Id> = operands(&op)
+            .into_iter()
+            .map(|a| self.rebuild(graph, a, memo))
+            .collect();
+        match (op, args.as_slice()) {
+            (Op::Negate(_), &[a]) => graph.negate(a),
+            (Op::Add(..), &[a, b]) => graph.add(a, b),
+            (Op::Subtract(..), &[a, b]) => graph.subtract(a, b),
+            (Op::Multiply(..), &[a, b]) => graph.multiply(a, b),
+            (Op::Divide(..), &[a, b]) => graph.divide(a, b),
+            (Op::Power(_, n), &[a]) => graph.power(a, n),
+            (Op::RealPower(..), &[a, b]) => graph.raise(a, b),
+            (Op::Unary(f, _), &[a]) => graph.unary(f, a),
+            (Op::Binary(f, ..), &[a, b]) => graph.binary(f, a, b),
+            (Op::AbsSlope(_), &[a]) => graph.abs_slope(a),
+            (Op::Less(..), &[a, b]) => graph.truth(Op::Less(a, b)),
+            (Op::LessOrEqual(..), &[a, b]) => graph.truth(Op::LessOrEqual(a, b)),
+            (Op::Both(..), &[a, b]) => graph.truth(Op::Both(a, b)),
+            (Op::Either(..), &[a, b]) => graph.truth(Op::Either(a, b)),
+            (Op::Choose(_, _, _, u), &[c, a, b]) => graph.choose(c, a, b, u),
+            (Op::Fold(kind, fold, _), args) => graph.fold(kind, fold, args.to_vec()),
+            _ => id,
+        }
+    }
+}
+
+/// The node of a leaf's value (order 0), slope or curvature. A linear leaf's slope and a quadratic leaf's curvature are
+/// numbers of the ray stage too, and further derivatives are 0.
+fn leaf_node(graph: &mut Graph, leaves: &[Leaf], k: usize, order: u8) -> Id {
+    let Some(leaf) = leaves.get(k) else {
+        return graph.integer(0);
+    };
+    if order > 1 + u8::from(leaf.quadratic) {
+        return graph.integer(0);
+    }
+    let of = graph.info(leaf.node).clone();
+    let sign = if order == 0 { of.sign } else { Sign::Unknown };
+    graph.leaf(
+        k,
+        order,
+        Info {
+            degree: None,
+            sign,
+            ..of
+        },
+    )
+}

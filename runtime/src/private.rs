@@ -1,0 +1,53 @@
+//! What generated code names. Nothing here is for users.
+
+pub use crate::interval::{Arithmetic, Interval, Jet, Linear, Packet, Parameter, Quadratic, Undecided};
+pub use crate::ray::Rays;
+pub use crate::surface::{Active, Continuity, ParameterError, Report, Surface};
+pub use std::default::Default;
+pub use std::option::Option;
+pub use std::result::Result::{self, Err, Ok};
+pub use std::vec;
+pub use std::vec::Vec;
+pub use zeroset_macros::implicit;
+
+use crate::interval::{Flags, Lanes, Scalar};
+
+/// Primitive types by paths that nobody can shadow.
+pub mod primitive {
+    pub use std::f64::consts;
+    pub use std::primitive::{bool, f64, i64, u32, usize};
+}
+
+/// An enclosure of π: the tightest in `f64`.
+pub const PI: Interval = Interval {
+    lo: std::f64::consts::PI,
+    hi: std::f64::consts::PI.next_up(),
+};
+
+/// The number system of the surface stage.
+#[must_use]
+pub fn scalar() -> Scalar {
+    Scalar
+}
+
+/// An exact number. Finite, by [`Surface::check`].
+#[must_use]
+pub fn point(x: f64) -> Interval {
+    Interval { lo: x, hi: x }
+}
+
+/// May a value of the surface stage be undefined?
+#[must_use]
+pub fn may_be_undefined(flags: &Flags<Scalar>) -> bool {
+    let p = scalar();
+    p.any(p.or(flags.undefined, flags.empty))
+}
+
+/// Refuses NaN and infinities.
+pub fn finite(surface: &'static str, field: &'static str, value: f64) -> Result<(), ParameterError> {
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(ParameterError::NotFinite { surface, field, value })
+    }
+}
