@@ -24,6 +24,23 @@ impl<P: Enclose> Arithmetic for P {
     fn join(self, a: Flags<P>, b: Flags<P>) -> Flags<P> {
         a.join(self, b)
     }
+    #[inline(always)]
+    fn join_derivative(self, a: Flags<P>, d: Flags<P>) -> Flags<P> {
+        Flags {
+            empty: a.empty,
+            undefined: self.or(d.empty, self.or(a.undefined, d.undefined)),
+            jump: self.or(a.jump, d.jump),
+            kink: self.or(a.kink, d.kink),
+        }
+    }
+    #[inline(always)]
+    fn undefined_if(self, undefined: bool) -> Flags<P> {
+        let all = self.mask(if undefined { 0xff } else { 0 });
+        Flags {
+            undefined: all,
+            ..Flags::none(self)
+        }
+    }
 
     #[inline(always)]
     fn neg(self, a: Interval<P::F>) -> Interval<P::F> {

@@ -57,6 +57,14 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         a
     }
     #[inline(always)]
+    fn join_derivative(self, a: Flags<P>, _d: Flags<P>) -> Flags<P> {
+        a
+    }
+    #[inline(always)]
+    fn undefined_if(self, _undefined: bool) -> Flags<P> {
+        self.clear()
+    }
+    #[inline(always)]
     fn neg(self, a: P::F) -> P::F {
         self.0.neg_f(a)
     }
