@@ -82,6 +82,8 @@ pub struct Let {
     pub name: Option<Name>,
     /// Its value.
     pub value: Expr,
+    /// Is it the user's own, or stands it for `a = …;`, which was reported?
+    pub written: bool,
 }
 
 /// An expression.
@@ -93,6 +95,13 @@ pub struct Expr {
     pub place: Place,
     /// Height of the tree, bounded so that later passes may recurse.
     pub height: u16,
+}
+
+impl Expr {
+    /// Was it reported as a mistake?
+    pub fn is_error(&self) -> bool {
+        matches!(self.kind, ExprKind::Error(_))
+    }
 }
 
 /// The kinds of expressions.
@@ -166,6 +175,8 @@ pub struct Pattern {
     pub names: Vec<Name>,
     /// Is it a list in brackets?
     pub list: bool,
+    /// Are all of them names?
+    pub sound: bool,
     /// From the first to the last name.
     pub place: Place,
 }

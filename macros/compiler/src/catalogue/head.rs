@@ -50,7 +50,7 @@ messages! {
     /// `t: [f64; 2] = 1`
     default_not_list(shape: &str) "expected {shape}, found a number" => "a table is written as a list: `[1, 2, 3]`";
     /// `t: [f64; 2] = [1, 2, 3]`
-    default_length(found: usize, wanted: usize) "this list has {found} entries, but the table has {wanted}";
+    default_length(found: &str, wanted: usize) "this list has {found}, but the table has {wanted}";
     /// `#[domain(x in -1..1)]`
     domain_axes() "a domain needs all three axes" => "`#[domain(x in -1..1, y in -1..1, z in -1..1)]`";
     /// `#[domain(x in 1, …)]`

@@ -13,7 +13,8 @@ messages! {
     index() "this index is not known when the formula is compiled"
         => "an index is a whole number, or the variable of a fold over a range plus a constant";
     /// `r[i]` of a row `r`
-    row_index() "a row can only be indexed by a whole number";
+    row_index() "a row can only be indexed by a whole number"
+        => "index the table: `sum(i in 0..8) {{ sum(j in 0..3) {{ t[i][j] }} }}`";
     /// `t[8]`
     outside(shape: &str) "outside this {shape}";
     /// `a in r` of a number `r`
@@ -21,6 +22,9 @@ messages! {
     /// `a in t` of a table of tables of tables
     fold_over_deep() "the rows of this table are tables themselves"
         => "fold over a range and index: `sum(i in 0..8) {{ sum([a, b] in t[i]) {{ … }} }}`";
+    /// `a in r` of a row `r`
+    fold_over_row() "the row of a fold cannot be folded"
+        => "fold over a range and index: `sum(i in 0..8) {{ sum(a in t[i]) {{ … }} }}`";
     /// `[a, b] in t`
     pattern_length(names: &str, row: &str) "{names}, but each row has {row}";
     /// `[a] in t` of a table of numbers

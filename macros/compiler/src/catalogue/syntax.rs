@@ -38,7 +38,7 @@ messages! {
     /// `if { x }`
     no_condition() "expected a comparison after this";
     /// `if x > 0 y`, `sum(i in 0..3) x`
-    block(after: &str) "expected a block after this {after}" => "put the value in braces: `{{ … }}`";
+    block() "expected a block after this" => "put the value in braces: `{{ … }}`";
     /// `0 < x < 1`
     chained() "comparisons cannot be chained" => "write `a < x && x < b`";
     /// `for i in 0..8 { … }`

@@ -70,6 +70,7 @@ impl Parser<'_> {
                 Let {
                     name: Some(name),
                     value,
+                    written: false,
                 }
             }
             (kind, right) => {
@@ -78,7 +79,11 @@ impl Parser<'_> {
                 }
                 let left = Expr { kind, ..left };
                 let value = error(place, std::iter::once(left).chain(right).collect());
-                Let { name: None, value }
+                Let {
+                    name: None,
+                    value,
+                    written: false,
+                }
             }
         }
     }
@@ -146,7 +151,11 @@ impl Parser<'_> {
             if cursor.eat("=").is_none() {
                 let value = error(cursor.last(), Vec::new());
                 cursor.eat(";");
-                return Let { name, value };
+                return Let {
+                    name,
+                    value,
+                    written: true,
+                };
             }
         }
         let mistakes = self.diagnostics.len();
@@ -160,7 +169,11 @@ impl Parser<'_> {
             value = error(value.place, vec![value, more]);
         }
         self.binding_end(cursor, self.diagnostics.len() == mistakes);
-        Let { name, value }
+        Let {
+            name,
+            value,
+            written: true,
+        }
     }
 
     /// The name after `let`.

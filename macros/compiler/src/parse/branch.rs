@@ -12,10 +12,10 @@ impl Parser<'_> {
         let place = cursor.place();
         cursor.take();
         let condition = self.condition(cursor);
-        let then = self.branch_block(cursor, "`if`");
+        let then = self.branch_block(cursor);
         let otherwise = if cursor.eat_word("else").is_none() {
             // After a missing block the `else` is not looked for.
-            if cursor.last().order > condition.place.order && !is_error(&then) {
+            if cursor.last().order > condition.place.order && !then.is_error() {
                 self.report(syntax::no_else(place));
             }
             error(place, Vec::new())
@@ -23,7 +23,7 @@ impl Parser<'_> {
             self.deeper(cursor, Self::branch)
                 .unwrap_or_else(|| error(place, Vec::new()))
         } else {
-            self.branch_block(cursor, "`else`")
+            self.branch_block(cursor)
         };
         let place = place.to(cursor.last());
         self.expr(ExprKind::If(Box::new([condition, then, otherwise])), place)
@@ -50,18 +50,13 @@ impl Parser<'_> {
     }
 
     /// A block of an `if`, as an expression.
-    fn branch_block(&mut self, cursor: &mut Cursor, after: &str) -> Expr {
-        if cursor.group(0, Delimiter::Brace).is_none() {
-            let place = cursor.last();
-            self.report(syntax::block(place, after));
-            return error(place, Vec::new());
-        }
+    fn branch_block(&mut self, cursor: &mut Cursor) -> Expr {
         let place = cursor.place();
-        let body = self.block(cursor, after);
+        let braces = cursor.group(0, Delimiter::Brace).is_some();
+        let body = self.block(cursor);
+        if !braces {
+            return error(place, vec![body.left]);
+        }
         self.expr(ExprKind::Block(Box::new(body)), place)
     }
-}
-
-fn is_error(expr: &Expr) -> bool {
-    matches!(expr.kind, ExprKind::Error(_))
 }

@@ -101,16 +101,17 @@ impl Parser<'_> {
 
     /// Does a second operand follow the first? A brace opens the block of an `if` or a fold, and in a `let` it may be
     /// the `;` that is missing rather than an operator.
-    fn operand_ahead(&self, cursor: &Cursor) -> bool {
+    pub(super) fn operand_ahead(&self, cursor: &Cursor) -> bool {
         if cursor.binding && !cursor.semicolon_ahead() {
             return false;
         }
         match cursor.peek(0) {
             // `name:` begins the next field.
             Some(TokenKind::Word(_)) if cursor.operator(1) == ":" => false,
-            Some(TokenKind::Word(word)) => {
-                !matches!(word.to_string().as_str(), "in" | "else" | "let" | "for")
-            }
+            Some(TokenKind::Word(word)) => !matches!(
+                word.to_string().as_str(),
+                "in" | "else" | "let" | "for" | "as"
+            ),
             Some(TokenKind::Literal(_)) => true,
             Some(TokenKind::Group(group)) => group.delimiter() != Delimiter::Brace,
             _ => false,

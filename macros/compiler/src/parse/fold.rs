@@ -44,7 +44,7 @@ impl Parser<'_> {
         } else if inner.operator(0) != "," {
             self.leftover(&mut inner, &[]);
         }
-        let body = self.block(cursor, &format!("`{}`", folder.text));
+        let body = self.block(cursor);
         let place = folder.place.to(cursor.last());
         let fold = Fold {
             kind,
@@ -62,6 +62,7 @@ impl Parser<'_> {
         let Some(group) = cursor.group(0, Delimiter::Bracket).cloned() else {
             names.extend(self.variable(cursor));
             return Pattern {
+                sound: !names.is_empty(),
                 names,
                 list: false,
                 place,
@@ -70,8 +71,11 @@ impl Parser<'_> {
         cursor.take();
         let mut inner = cursor.inside(&group);
         let first = inner.place();
+        let mut sound = true;
         while !inner.at_end() {
-            names.extend(self.variable(&mut inner));
+            let name = self.variable(&mut inner);
+            sound &= name.is_some();
+            names.extend(name);
             inner.skip_to(&[","]);
             inner.eat(",");
         }
@@ -82,6 +86,7 @@ impl Parser<'_> {
         Pattern {
             names,
             list: true,
+            sound,
             place,
         }
     }
@@ -113,7 +118,7 @@ impl Parser<'_> {
         if operator != ".." {
             let half_open = match (whole(&first), whole(&last)) {
                 (Some(a), Some(b)) => format!("{a}..{}", b + BigRational::one()),
-                _ => "a..b + 1".to_owned(),
+                _ => "start..end + 1".to_owned(),
             };
             self.report(syntax::inclusive_range(dots, &half_open));
         }
@@ -121,13 +126,20 @@ impl Parser<'_> {
     }
 
     /// A block in braces, which must follow.
-    pub(super) fn block(&mut self, cursor: &mut Cursor, after: &str) -> Body {
+    pub(super) fn block(&mut self, cursor: &mut Cursor) -> Body {
         let last = cursor.last();
         let Some(group) = cursor.group(0, Delimiter::Brace).cloned() else {
-            self.report(syntax::block(last, after));
+            self.report(syntax::block(last));
+            // The value without its braces.
+            let left = if self.operand_ahead(cursor) {
+                self.expression(cursor)
+            } else {
+                error(last, Vec::new())
+            };
+            let part = error(left.place, vec![left]);
             return Body {
                 lets: Vec::new(),
-                left: error(last, Vec::new()),
+                left: part,
                 right: None,
             };
         };

@@ -71,6 +71,18 @@ impl Parser<'_> {
         error(place, Vec::new())
     }
 
+    /// `x as f64`. The value is taken.
+    pub(super) fn cast(&mut self, cursor: &mut Cursor, value: Expr) -> Expr {
+        let start = cursor.place();
+        cursor.take();
+        if cursor.word(0).is_some() {
+            cursor.take();
+        }
+        let place = start.to(cursor.last());
+        self.report(tokens::cast(place));
+        error(value.place.to(place), vec![value])
+    }
+
     /// `c ? a : b`. The condition is taken.
     pub(super) fn ternary(&mut self, cursor: &mut Cursor, condition: Expr) -> Expr {
         let place = condition.place;

@@ -16,7 +16,7 @@ mod primary;
 pub mod token;
 mod types;
 
-use crate::ast::{Expr, ExprKind, Input, Name};
+use crate::ast::{Body, Expr, ExprKind, Input, Name};
 use crate::catalogue::syntax;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use proc_macro2::{Ident, TokenStream};
@@ -35,7 +35,15 @@ pub fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Input {
     };
     let mut cursor = Cursor::new(input);
     let head = parser.head(&mut cursor);
-    let body = parser.body(&mut cursor);
+    let mut body = parser.body(&mut cursor);
+    if parser.too_deep {
+        // Nothing can be said about a formula that was read in part only.
+        body = Body {
+            lets: Vec::new(),
+            left: error(body.left.place, Vec::new()),
+            right: None,
+        };
+    }
     Input { head, body }
 }
 
@@ -53,7 +61,7 @@ struct Parser<'a> {
 impl Parser<'_> {
     /// Reports a mistake. What follows at the same token is its echo.
     fn report(&mut self, diagnostic: Diagnostic) {
-        if self.reported_at != Some(diagnostic.place.order) {
+        if !self.too_deep && self.reported_at != Some(diagnostic.place.order) {
             self.reported_at = Some(diagnostic.place.order);
             self.diagnostics.push(diagnostic);
         }
@@ -78,8 +86,8 @@ impl Parser<'_> {
     /// Reports the depth, once per formula.
     fn report_depth(&mut self, place: Place) {
         if !self.too_deep {
-            self.too_deep = true;
             self.report(syntax::too_deep(place, MOST_LEVELS));
+            self.too_deep = true;
         }
     }
 
@@ -100,7 +108,7 @@ impl Parser<'_> {
 
 /// The greatest height among the parts of an expression.
 fn tallest(kind: &ExprKind) -> u16 {
-    let body = |body: &crate::ast::Body| {
+    let body = |body: &Body| {
         let values = body.lets.iter().map(|l| l.value.height);
         let right = body.right.as_ref().map_or(0, |r| r.height);
         values.chain([body.left.height, right]).max().unwrap_or(0)

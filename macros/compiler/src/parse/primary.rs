@@ -24,6 +24,8 @@ impl Parser<'_> {
                 value = self.member(cursor, value);
             } else if cursor.operator(0) == "?" {
                 value = self.ternary(cursor, value);
+            } else if cursor.at_word("as") {
+                value = self.cast(cursor, value);
             } else {
                 return value;
             }

@@ -268,7 +268,16 @@ impl Cursor {
             TokenKind::Operator(text) => text,
             _ => "",
         };
-        self.last = Some((place, text));
+        let last = match &token.kind {
+            // Behind a group its closing bracket is the last token.
+            TokenKind::Group(group) if group.delimiter() != Delimiter::None => Place {
+                start: group.span_close(),
+                end: group.span_close(),
+                ..place
+            },
+            _ => place,
+        };
+        self.last = Some((last, text));
         Some((token.kind, place))
     }
 

@@ -26,7 +26,8 @@ impl Resolver<'_> {
             .iter()
             .map(|argument| self.value(argument))
             .collect();
-        if arguments.len() != function.entry().arity {
+        let sound = arguments.iter().all(|argument| !argument.is_error());
+        if arguments.len() != function.entry().arity && sound {
             self.diagnostics
                 .push(arity(place, &name.text, function, arguments.len()));
             return None;

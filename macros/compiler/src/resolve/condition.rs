@@ -72,8 +72,19 @@ impl Resolver<'_> {
         if !matches!(expr.kind, ExprKind::Compare(..) | ExprKind::Logic(..)) {
             return false;
         }
-        self.diagnostics.push(shapes::inequality(expr.place));
+        if !flawed(expr) {
+            self.diagnostics.push(shapes::inequality(expr.place));
+        }
         self.names_in(expr);
         true
+    }
+}
+
+/// Has a comparison a side that was reported already?
+pub(super) fn flawed(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Compare(_, a, b) | ExprKind::Logic(_, a, b) => flawed(a) || flawed(b),
+        ExprKind::Error(_) => true,
+        _ => false,
     }
 }

@@ -1,5 +1,6 @@
 //! Numbers and what is made of them.
 
+use super::condition::flawed;
 use super::table::Element;
 use super::{Resolver, Setting, Value, constant};
 use crate::ast::{Expr, ExprKind};
@@ -52,8 +53,10 @@ impl Resolver<'_> {
             ExprKind::If(parts) => self.branch(expr.place, parts),
             ExprKind::Block(body) => self.body(body),
             ExprKind::Compare(_, a, b) | ExprKind::Logic(_, a, b) => {
-                self.diagnostics
-                    .push(shapes::comparison_as_number(expr.place));
+                if !flawed(expr) {
+                    self.diagnostics
+                        .push(shapes::comparison_as_number(expr.place));
+                }
                 self.names_in(a);
                 self.names_in(b);
                 None

@@ -113,7 +113,7 @@ impl Resolver<'_> {
         match length {
             Some(wanted) if wanted != found => {
                 self.diagnostics
-                    .push(head::default_length(expr.place, found, wanted));
+                    .push(head::default_length(expr.place, &entries(found), wanted));
                 None
             }
             _ if found > MOST_ENTRIES => {
@@ -145,5 +145,12 @@ impl Resolver<'_> {
             return None;
         }
         Some([first.term, last.term])
+    }
+}
+
+fn entries(count: usize) -> String {
+    match count {
+        1 => "1 entry".to_owned(),
+        n => format!("{n} entries"),
     }
 }

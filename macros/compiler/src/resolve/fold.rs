@@ -22,8 +22,8 @@ impl Resolver<'_> {
         };
         let outer = self.scope.mark();
         let meanings = match &over {
-            Some((_, row)) => self.meanings(&fold.pattern, row.as_ref()),
-            None => None,
+            Some((_, row)) if fold.pattern.sound => self.meanings(&fold.pattern, row.as_ref()),
+            _ => None,
         };
         self.declare_pattern(&fold.pattern, meanings.as_deref());
         let index = self.folds.len();
@@ -107,8 +107,12 @@ impl Resolver<'_> {
                 },
                 Some(row),
             )),
-            _ => {
+            Base::Field { .. } => {
                 self.diagnostics.push(shapes::fold_over_deep(expr.place));
+                None
+            }
+            Base::Row { .. } => {
+                self.diagnostics.push(shapes::fold_over_row(expr.place));
                 None
             }
         }

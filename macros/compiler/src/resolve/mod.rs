@@ -46,8 +46,8 @@ pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
         right: None,
     };
     if let Some(head) = input.head {
-        formula.domain = head.domain.and_then(|domain| resolver.domain(&domain));
         resolver.declare_fields(head.fields);
+        formula.domain = head.domain.and_then(|domain| resolver.domain(&domain));
         formula.attributes = head.attributes;
         formula.visibility = head.visibility;
         formula.name = head.name;
@@ -161,6 +161,13 @@ impl Resolver<'_> {
         for binding in &body.lets {
             let value = self.value(&binding.value);
             let Some(name) = &binding.name else { continue };
+            if !binding.written {
+                // It was told that it lacks its `let`.
+                if self.find(&name.text).is_none() {
+                    self.scope.declare(&name.text, scope::Meaning::Mistake);
+                }
+                continue;
+            }
             if !self.may_declare(name) {
                 continue;
             }
