@@ -24,7 +24,8 @@ pub trait Arithmetic: Copy {
     fn join(self, a: Flags<Self::Packet>, b: Flags<Self::Packet>) -> Flags<Self::Packet>;
 
     /// The flags of a function and those of one of its derivatives: where the derivative is empty, the function need not be.
-    fn join_derivative(self, a: Flags<Self::Packet>, d: Flags<Self::Packet>) -> Flags<Self::Packet>;
+    fn join_derivative(self, a: Flags<Self::Packet>, d: Flags<Self::Packet>)
+    -> Flags<Self::Packet>;
     /// *Undefined* in all lanes if a value of the surface stage may be.
     fn undefined_if(self, undefined: bool) -> Flags<Self::Packet>;
 

@@ -163,6 +163,6 @@ pub trait Enclose: Lanes {
     /// eᵃ
     #[inline(always)]
     fn i_exp(self, a: Interval<Self::F>) -> Interval<Self::F> {
-        functions::tested::per_lane(self, a, functions::tested::exp)
+        functions::exp::exp(self, a)
     }
 }

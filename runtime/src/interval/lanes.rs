@@ -88,6 +88,8 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     fn sqrt_rn(self, a: Self::F) -> Self::F;
     /// a·b + c; one rounding where the processor has FMA, else two. For approximations only.
     fn fma_rn(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// a·b − c, as [`fma_rn`](Self::fma_rn).
+    fn fms_rn(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     /// The nearest whole number, ties to even.
     fn round_f(self, a: Self::F) -> Self::F;
     /// The largest whole number ≤ a.
@@ -95,6 +97,17 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
 
     /// 2ⁿ for a whole number n in [−1022, 1023]; anything else gives garbage.
     fn pow2(self, n: Self::F) -> Self::F;
+    /// v·2ⁿ for ½ ≤ v ≤ 2 and a whole number n in [−1022, 1024], exact if the result is a normal number.
+    #[inline(always)]
+    fn scale(self, v: Self::F, n: Self::F) -> Self::F {
+        // 2¹⁰²⁴ is no double: half of it, and v doubled.
+        let half = self.pow2(self.sub_rn(n, self.splat(1.0)));
+        self.mul_rn(self.add_rn(v, v), half)
+    }
+    /// The number before a positive normal one; the same number where rounding is off.
+    fn before(self, a: Self::F) -> Self::F;
+    /// The number after a positive normal one, +∞ after MAX; the same number where rounding is off.
+    fn after(self, a: Self::F) -> Self::F;
     /// `a`, and 0 where it is NaN: 0·∞ stands for the product of 0 and numbers without bound, which is 0.
     #[inline(always)]
     fn mend(self, a: Self::F) -> Self::F {

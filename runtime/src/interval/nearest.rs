@@ -1,5 +1,6 @@
 //! Plain floating point on packets, for guesses that an enclosure then checks.
 
+use super::functions;
 use super::{Arithmetic, Flags, Interval, Packet, Truth, Undecided};
 
 /// Approximate arithmetic on the lanes of a packet: no bounds, no flags, NaN where a function is not defined.
@@ -175,6 +176,10 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         (self.0.sqrt_rn(a), self.clear())
     }
     #[inline(always)]
+    fn exp(self, a: P::F) -> P::F {
+        functions::exp::anywhere(self.0, a)
+    }
+    #[inline(always)]
     fn pow(self, a: P::F, b: P::F) -> (P::F, Flags<P>) {
         (each2(self.0, a, b, f64::powf), self.clear())
     }
@@ -188,7 +193,7 @@ impl<P: Packet> Arithmetic for Nearest<P> {
     }
 
     per_lane! {
-        total: cbrt exp exp2 exp_m1 sin cos atan sinh cosh tanh asinh;
+        total: cbrt exp2 exp_m1 sin cos atan sinh cosh tanh asinh;
         partial: ln ln_1p log2 log10 tan asin acos acosh atanh
     }
 }

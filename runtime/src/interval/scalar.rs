@@ -196,6 +196,9 @@ impl Lanes for Scalar {
     fn fma_rn(self, a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
     }
+    fn fms_rn(self, a: f64, b: f64, c: f64) -> f64 {
+        a.mul_add(b, -c)
+    }
     fn round_f(self, a: f64) -> f64 {
         a.round_ties_even()
     }
@@ -204,6 +207,13 @@ impl Lanes for Scalar {
     }
     fn pow2(self, n: f64) -> f64 {
         f64::from_bits(((n as i64 + 1023) as u64) << 52)
+    }
+
+    fn before(self, a: f64) -> f64 {
+        a.next_down()
+    }
+    fn after(self, a: f64) -> f64 {
+        a.next_up()
     }
 
     fn add_rd(self, a: f64, b: f64) -> f64 {

@@ -63,6 +63,18 @@ fn call_routine<R: Rounding, T: Routine<Avx2<R>>>(p: Avx2<R>, routine: T) -> T::
 }
 
 impl<R: Rounding> Avx2<R> {
+    /// The bits of `a` plus `steps`: as many doubles further on, for positive numbers.
+    #[inline(always)]
+    fn moved(self, a: Pair, steps: i64) -> Pair {
+        cpu!({
+            let steps = _mm256_set1_epi64x(steps);
+            Pair(
+                _mm256_castsi256_pd(_mm256_add_epi64(_mm256_castpd_si256(a.0), steps)),
+                _mm256_castsi256_pd(_mm256_add_epi64(_mm256_castpd_si256(a.1), steps)),
+            )
+        })
+    }
+
     /// A lower bound of a number that rounded to `x`, where the rounding was exact in subnormals (sums and roots).
     ///
     /// For normal x, |x|·φ is more than half the distance to the predecessor, so x − |x|·φ, rounded once, is at most
@@ -247,6 +259,10 @@ impl<R: Rounding> Lanes for Avx2<R> {
         both!(_mm256_fmadd_pd(a, b, c))
     }
     #[inline(always)]
+    fn fms_rn(self, a: Pair, b: Pair, c: Pair) -> Pair {
+        both!(_mm256_fmsub_pd(a, b, c))
+    }
+    #[inline(always)]
     fn round_f(self, a: Pair) -> Pair {
         const NEAREST: i32 = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
         both!(_mm256_round_pd::<NEAREST>(a))
@@ -267,6 +283,15 @@ impl<R: Rounding> Lanes for Avx2<R> {
     #[inline(always)]
     fn mend(self, a: Pair) -> Pair {
         self.and(both!(_mm256_cmp_pd::<_CMP_ORD_Q>(a, a)), a)
+    }
+
+    #[inline(always)]
+    fn before(self, a: Pair) -> Pair {
+        self.moved(a, -(R::ON as i64))
+    }
+    #[inline(always)]
+    fn after(self, a: Pair) -> Pair {
+        self.moved(a, R::ON as i64)
     }
 
     #[inline(always)]

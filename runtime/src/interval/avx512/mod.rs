@@ -170,6 +170,10 @@ impl<R: Rounding> Lanes for Avx512<R> {
         cpu!(_mm512_fmadd_pd(a, b, c))
     }
     #[inline(always)]
+    fn fms_rn(self, a: __m512d, b: __m512d, c: __m512d) -> __m512d {
+        cpu!(_mm512_fmsub_pd(a, b, c))
+    }
+    #[inline(always)]
     fn round_f(self, a: __m512d) -> __m512d {
         cpu!(_mm512_roundscale_pd::<NEAREST>(a))
     }
@@ -187,6 +191,27 @@ impl<R: Rounding> Lanes for Avx512<R> {
             _mm512_cmp_pd_mask::<_CMP_ORD_Q>(a, a),
             a
         ))
+    }
+
+    #[inline(always)]
+    fn scale(self, v: __m512d, n: __m512d) -> __m512d {
+        cpu!(_mm512_scalef_pd(v, n))
+    }
+    #[inline(always)]
+    fn before(self, a: __m512d) -> __m512d {
+        let step = R::ON as i64;
+        cpu!(_mm512_castsi512_pd(_mm512_sub_epi64(
+            _mm512_castpd_si512(a),
+            _mm512_set1_epi64(step)
+        )))
+    }
+    #[inline(always)]
+    fn after(self, a: __m512d) -> __m512d {
+        let step = R::ON as i64;
+        cpu!(_mm512_castsi512_pd(_mm512_add_epi64(
+            _mm512_castpd_si512(a),
+            _mm512_set1_epi64(step)
+        )))
     }
 
     #[inline(always)]

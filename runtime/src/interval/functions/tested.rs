@@ -117,10 +117,6 @@ fn through_zero(a: Interval, steps: u32, f: fn(f64) -> f64, least: f64, greatest
 
 const INF: f64 = f64::INFINITY;
 
-/// eᵃ
-pub fn exp(a: Interval, steps: u32) -> Interval {
-    increasing(a, steps, f64::exp, 0.0, INF)
-}
 /// 2ᵃ
 pub fn exp2(a: Interval, steps: u32) -> Interval {
     increasing(a, steps, f64::exp2, 0.0, INF)

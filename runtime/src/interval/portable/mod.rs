@@ -225,6 +225,10 @@ impl<R: Rounding> Lanes for Portable<R> {
         map!(i => a[i] * b[i] + c[i])
     }
     #[inline(always)]
+    fn fms_rn(self, a: F, b: F, c: F) -> F {
+        map!(i => a[i] * b[i] - c[i])
+    }
+    #[inline(always)]
     fn round_f(self, a: F) -> F {
         // Adding 1.5·2⁵² leaves no bits below 1; larger numbers are whole already.
         const SHIFT: f64 = 6_755_399_441_055_744.0;
@@ -239,6 +243,15 @@ impl<R: Rounding> Lanes for Portable<R> {
     fn pow2(self, n: F) -> F {
         // n + 1.5·2⁵² holds n in its low bits; shifted to the exponent, the rest falls off.
         map!(i => f64::from_bits((n[i] + (6_755_399_441_055_744.0 + 1023.0)).to_bits() << 52))
+    }
+
+    #[inline(always)]
+    fn before(self, a: F) -> F {
+        map!(i => f64::from_bits(a[i].to_bits().wrapping_sub(R::ON as u64)))
+    }
+    #[inline(always)]
+    fn after(self, a: F) -> F {
+        map!(i => f64::from_bits(a[i].to_bits().wrapping_add(R::ON as u64)))
     }
 
     #[inline(always)]
@@ -321,6 +334,7 @@ impl<R: Rounding> Enclose for Portable<R> {
         i_sub(a: Interval<F>, b: Interval<F>) = sub;
         i_mul(a: Interval<F>, b: Interval<F>) = mul;
         i_powi(a: Interval<F>, n: u32) = functions::power::powi;
+        i_exp(a: Interval<F>) = functions::exp::exp;
     }
 }
 
