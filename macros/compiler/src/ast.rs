@@ -8,8 +8,10 @@ use proc_macro2::{Ident, TokenStream};
 /// A whole input.
 #[derive(Debug)]
 pub struct Input {
-    /// The struct, or `None` in the expression form.
+    /// The struct, or `None` in the expression form and where it cannot be read.
     pub head: Option<Head>,
+    /// Does the input begin without any trace of a struct?
+    pub expression_form: bool,
     /// The formula.
     pub body: Body,
 }

@@ -12,6 +12,8 @@ pub struct Front {
     /// The struct, so far as it could be read; `None` in the expression form, or if not even its name is there. With it
     /// the type can be emitted beside the messages, so that its uses elsewhere are not reported as well.
     pub head: Option<Head>,
+    /// Is the input the expression form? Then the messages stand where a value is expected.
+    pub expression_form: bool,
     /// The formula, if there are no mistakes.
     pub formula: Option<Formula>,
     /// The mistakes.
@@ -51,9 +53,11 @@ pub fn front(input: TokenStream) -> Front {
     let mut diagnostics = Diagnostics::default();
     let input = parse(input, &mut diagnostics);
     let head = input.head.as_ref().and_then(outside);
+    let expression_form = input.expression_form;
     let formula = resolve(input, &mut diagnostics);
     Front {
         head,
+        expression_form,
         formula: diagnostics.is_empty().then_some(formula),
         diagnostics,
     }

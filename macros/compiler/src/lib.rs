@@ -49,6 +49,8 @@ pub fn expand(input: TokenStream) -> TokenStream {
                     let placeholder = emit::placeholder(head, &root);
                     quote!(#errors #placeholder)
                 }
+                // An expression is one block.
+                None if front.expression_form => quote!({ #errors }),
                 None => errors,
             }
         }
@@ -61,12 +63,7 @@ fn too_many_folds(source: tree::Source) -> diagnostic::Diagnostic {
         end: source.end,
         order: 0,
     };
-    diagnostic::Diagnostic {
-        code: "too_many_folds",
-        place,
-        message: "this formula has more than 64 folds".into(),
-        help: Some("fold over one longer table".into()),
-    }
+    catalogue::constants::too_many_folds(place, resolve::fold::MOST_FOLDS)
 }
 
 /// `$crate` arrives as one token, inside an invisible group or not.

@@ -1,5 +1,8 @@
 //! Every message has a fixture: what is underlined, what is said, what is advised.
 
+// Tests may stop at a failure; the compiler may not.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 mod support;
 
 use proc_macro2::{LineColumn, TokenStream};

@@ -19,6 +19,8 @@ messages! {
     fold_bounds() "bounds of a fold must be whole-number constants";
     /// `4..4`
     range_empty() "this range is empty";
+    /// 65 folds
+    too_many_folds(most: usize) "this formula has more than {most} folds" => "fold over one longer table";
     /// `0..1e18`
     range_too_long(most: i64) "bounds of a fold lie between -{most} and {most}";
 }

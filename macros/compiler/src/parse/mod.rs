@@ -35,6 +35,7 @@ pub fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Input {
     };
     let mut cursor = Cursor::new(input);
     let head = parser.head(&mut cursor);
+    let expression_form = head.is_none() && parser.diagnostics.is_empty();
     let mut body = parser.body(&mut cursor);
     if parser.too_deep {
         // Nothing can be said about a formula that was read in part only.
@@ -44,7 +45,11 @@ pub fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Input {
             right: None,
         };
     }
-    Input { head, body }
+    Input {
+        head,
+        expression_form,
+        body,
+    }
 }
 
 /// The state of the parser besides its position.

@@ -10,6 +10,9 @@ use crate::diagnostic::Place;
 use crate::tree::{Fold, Over, Shape, TermKind};
 use num_traits::ToPrimitive;
 
+/// The most folds of a formula: sets of them are the bits of one word in the graph.
+pub const MOST_FOLDS: usize = 64;
+
 /// Bounds of ranges lie within ± this.
 const MOST_BOUND: i64 = 1 << 31;
 
@@ -28,6 +31,10 @@ impl Resolver<'_> {
         self.declare_pattern(&fold.pattern, meanings.as_deref());
         let index = self.folds.len();
         let sound = over.is_some() && meanings.is_some();
+        if index == MOST_FOLDS {
+            self.diagnostics
+                .push(constants::too_many_folds(place, MOST_FOLDS));
+        }
         if let Some((over, _)) = over {
             self.folds.push(Fold {
                 names: fold

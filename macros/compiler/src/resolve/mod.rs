@@ -5,7 +5,7 @@ mod condition;
 mod constant;
 mod expression;
 mod fields;
-mod fold;
+pub(crate) mod fold;
 mod names;
 mod nearest;
 mod scope;
@@ -24,6 +24,7 @@ use std::collections::HashSet;
 pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
     let mut resolver = Resolver {
         diagnostics,
+        // Where the struct cannot be read, nothing is known about its fields.
         expression_form: input.head.is_none(),
         setting: Setting::Formula,
         fields: Vec::new(),
