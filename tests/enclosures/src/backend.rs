@@ -1,0 +1,131 @@
+//! Every back-end behind one call.
+
+use zeroset::interval::{Interval, Isa, Kernel, Lanes, Packet, Scalar};
+
+use crate::operation::{Operation, apply};
+
+/// A back-end: an instruction set, or the scalar token.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Backend {
+    /// Eight lanes.
+    Packet(Isa),
+    /// One lane.
+    Scalar,
+}
+
+/// The operands of one operation; unary operations ignore `b`.
+#[derive(Clone, Copy, Debug)]
+pub struct Operands {
+    /// The first operand.
+    pub a: Interval,
+    /// The second operand.
+    pub b: Interval,
+}
+
+/// What one lane returned.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome {
+    /// The enclosure.
+    pub range: Interval,
+    /// Its flags.
+    pub empty: bool,
+    /// Maybe undefined.
+    pub undefined: bool,
+    /// Maybe discontinuous.
+    pub jump: bool,
+    /// The derivative is maybe discontinuous.
+    pub kink: bool,
+}
+
+impl Backend {
+    /// Those whose bounds must hold on this processor.
+    pub fn rounded() -> Vec<Backend> {
+        let mut all: Vec<Backend> = Isa::available().into_iter().map(Backend::Packet).collect();
+        all.push(Backend::Scalar);
+        all
+    }
+
+    /// Those whose bounds must not.
+    pub fn unrounded() -> Vec<Backend> {
+        Isa::unrounded().into_iter().map(Backend::Packet).collect()
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Backend::Packet(isa) => isa.name(),
+            Backend::Scalar => Scalar::NAME,
+        }
+    }
+
+    /// Are its directed operations optimal?
+    pub fn is_optimal(self) -> bool {
+        matches!(self.name(), "avx512" | "scalar")
+    }
+
+    /// The operation on each pair of operands.
+    pub fn run(self, operation: Operation, operands: &[Operands]) -> Vec<Outcome> {
+        let batch = Batch {
+            operation,
+            operands,
+        };
+        match self {
+            Backend::Packet(isa) => isa.run(batch),
+            Backend::Scalar => batch.run(Scalar),
+        }
+    }
+
+    /// The operation on one pair.
+    pub fn one(self, operation: Operation, a: Interval, b: Interval) -> Outcome {
+        self.run(operation, &[Operands { a, b }])[0]
+    }
+}
+
+struct Batch<'a> {
+    operation: Operation,
+    operands: &'a [Operands],
+}
+
+impl Kernel for Batch<'_> {
+    type Output = Vec<Outcome>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Vec<Outcome> {
+        let mut out = Vec::with_capacity(self.operands.len());
+        for chunk in self.operands.chunks(P::LANES) {
+            let (mut a, mut b) = ([Interval::ONE; 8], [Interval::ONE; 8]);
+            for (lane, operands) in chunk.iter().enumerate() {
+                (a[lane], b[lane]) = (operands.a, operands.b);
+            }
+            let (range, flags) = apply(p, self.operation, load(p, a), load(p, b));
+            let (lo, hi) = (p.to_array(range.lo), p.to_array(range.hi));
+            for lane in 0..chunk.len() {
+                let bit = |mask| p.bits(mask) >> lane & 1 == 1;
+                out.push(Outcome {
+                    range: Interval {
+                        lo: lo[lane],
+                        hi: hi[lane],
+                    },
+                    empty: bit(flags.empty),
+                    undefined: bit(flags.undefined),
+                    jump: bit(flags.jump),
+                    kink: bit(flags.kink),
+                });
+            }
+        }
+        out
+    }
+}
+
+/// Eight intervals as a packet.
+#[inline(always)]
+pub fn load<P: Packet>(p: P, x: [Interval; 8]) -> Interval<P::F> {
+    let (mut lo, mut hi) = ([0.0; 8], [0.0; 8]);
+    for lane in 0..8 {
+        (lo[lane], hi[lane]) = (x[lane].lo, x[lane].hi);
+    }
+    Interval {
+        lo: p.lanes(lo),
+        hi: p.lanes(hi),
+    }
+}

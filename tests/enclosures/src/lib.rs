@@ -1,0 +1,6 @@
+//! What the suites share: operations by name on every back-end, exact numbers, and operands that are hard.
+
+pub mod backend;
+pub mod exact;
+pub mod operand;
+pub mod operation;

@@ -1,0 +1,67 @@
+//! Operations by name.
+
+use zeroset::interval::{Flags, Interval, Packet};
+
+/// Declares the enumeration, the names and the dispatch in one place.
+macro_rules! operations {
+    (
+        total { $($total:ident = $t:ident;)* }
+        partial { $($partial:ident = $p:ident;)* }
+        binary { $($binary:ident = $b:ident;)* }
+        partial_binary { $($partial_binary:ident = $pb:ident;)* }
+    ) => {
+        /// An operation of one or two intervals.
+        #[allow(missing_docs)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Operation {
+            $($total,)* $($partial,)* $($binary,)* $($partial_binary,)*
+            /// A whole power.
+            Powi(u32),
+        }
+
+        impl Operation {
+            /// The operation of this name, that of the method.
+            pub fn named(name: &str) -> Option<Operation> {
+                $(if name == stringify!($t) { return Some(Operation::$total); })*
+                $(if name == stringify!($p) { return Some(Operation::$partial); })*
+                $(if name == stringify!($b) { return Some(Operation::$binary); })*
+                $(if name == stringify!($pb) { return Some(Operation::$partial_binary); })*
+                None
+            }
+        }
+
+        /// The operation on packets, with its flags.
+        #[inline(always)]
+        pub fn apply<P: Packet>(
+            p: P,
+            operation: Operation,
+            a: Interval<P::F>,
+            b: Interval<P::F>,
+        ) -> (Interval<P::F>, Flags<P>) {
+            match operation {
+                $(Operation::$total => (p.$t(a), p.clear()),)*
+                $(Operation::$partial => p.$p(a),)*
+                $(Operation::$binary => (p.$b(a, b), p.clear()),)*
+                $(Operation::$partial_binary => p.$pb(a, b),)*
+                Operation::Powi(n) => (p.powi(a, n), p.clear()),
+            }
+        }
+    };
+}
+
+operations! {
+    total {
+        Neg = neg; Sqr = sqr; Abs = abs; Cbrt = cbrt; Exp = exp; Exp2 = exp2; ExpM1 = exp_m1; Sin = sin; Cos = cos;
+        Atan = atan; Sinh = sinh; Cosh = cosh; Tanh = tanh; Asinh = asinh;
+    }
+    partial {
+        Recip = recip; Sqrt = sqrt; Ln = ln; Ln1p = ln_1p; Log2 = log2; Log10 = log10; Tan = tan; Asin = asin;
+        Acos = acos; Acosh = acosh; Atanh = atanh; AbsSlope = abs_slope;
+    }
+    binary {
+        Add = add; Sub = sub; Mul = mul; MulPos = mul_pos; MulPosPos = mul_pos_pos; Min = min; Max = max; Hypot = hypot;
+    }
+    partial_binary {
+        Div = div; Pow = pow; Atan2 = atan2;
+    }
+}

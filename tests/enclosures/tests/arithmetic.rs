@@ -1,0 +1,221 @@
+//! Every arithmetic operation on every back-end against exact arithmetic.
+
+use zeroset::interval::Interval;
+use zeroset_enclosures::backend::{Backend, Operands};
+use zeroset_enclosures::exact::Exact;
+use zeroset_enclosures::operand::Source;
+use zeroset_enclosures::operation::Operation;
+
+const CASES: usize = 6_000;
+
+/// The operations under test. `true`: the operation rounds, so the unrounded back-ends must be caught.
+const OPERATIONS: [(Operation, bool); 16] = [
+    (Operation::Neg, false),
+    (Operation::Abs, false),
+    (Operation::Min, false),
+    (Operation::Max, false),
+    (Operation::Add, true),
+    (Operation::Sub, true),
+    (Operation::Mul, true),
+    (Operation::MulPos, true),
+    (Operation::MulPosPos, true),
+    (Operation::Sqr, true),
+    (Operation::Div, true),
+    (Operation::Recip, true),
+    (Operation::Sqrt, true),
+    (Operation::Powi(3), true),
+    (Operation::Powi(4), true),
+    (Operation::Powi(7), true),
+];
+
+/// Is the exact value of the operation at (x, y) in the range? None where it is not defined.
+fn holds(operation: Operation, x: f64, y: f64, range: Interval) -> Option<bool> {
+    let (a, b) = (Exact::from(x), Exact::from(y));
+    let inside = |value: Exact| Some(value.is_in(range.lo, range.hi));
+    match operation {
+        Operation::Neg => inside(a.neg()),
+        Operation::Abs => inside(Exact::from(x.abs())),
+        Operation::Min => inside(Exact::from(x.min(y))),
+        Operation::Max => inside(Exact::from(x.max(y))),
+        Operation::Add => inside(a.add(&b)),
+        Operation::Sub => inside(a.add(&b.neg())),
+        Operation::Mul | Operation::MulPos | Operation::MulPosPos => inside(a.mul(&b)),
+        Operation::Sqr => inside(a.mul(&a)),
+        Operation::Powi(n) => inside(a.powi(n)),
+        Operation::Recip => quotient(&Exact::from(1.0), &a, range),
+        Operation::Div => quotient(&a, &b, range),
+        Operation::Sqrt if x < 0.0 => None,
+        // lo ≤ √x ⟺ lo ≤ 0 or lo² ≤ x; hi ≥ √x ⟺ hi ≥ 0 and hi² ≥ x.
+        Operation::Sqrt => {
+            let above = range.lo <= 0.0 || Exact::from(range.lo).powi(2).add(&a.neg()).sign() <= 0;
+            let below = range.hi == f64::INFINITY
+                || (range.hi >= 0.0 && Exact::from(range.hi).powi(2).add(&a.neg()).sign() >= 0);
+            Some(above && below)
+        }
+        other => panic!("no exact value for {other:?}"),
+    }
+}
+
+/// lo ≤ n/d ≤ hi, by multiplication: n − lo·d and hi·d − n have the sign of d, or are 0.
+fn quotient(n: &Exact, d: &Exact, range: Interval) -> Option<bool> {
+    if d.sign() == 0 {
+        return None;
+    }
+    let above = range.lo == f64::NEG_INFINITY
+        || (range.lo.is_finite()
+            && n.add(&Exact::from(range.lo).mul(d).neg()).sign() * d.sign() >= 0);
+    let below = range.hi == f64::INFINITY
+        || (range.hi.is_finite()
+            && Exact::from(range.hi).mul(d).add(&n.neg()).sign() * d.sign() >= 0);
+    Some(above && below)
+}
+
+/// Random operands for the operation, cut to where it may be used.
+fn operands(operation: Operation, count: usize, seed: u64) -> Vec<Operands> {
+    let mut source = Source(seed);
+    let nonneg = |a: Interval| {
+        let (lo, hi) = (a.lo.abs().min(a.hi.abs()), a.lo.abs().max(a.hi.abs()));
+        Interval {
+            lo: if lo.is_finite() { lo } else { 0.0 },
+            hi,
+        }
+    };
+    (0..count)
+        .map(|_| {
+            let (mut a, mut b) = (source.interval(), source.interval());
+            if matches!(operation, Operation::MulPos | Operation::MulPosPos) {
+                a = nonneg(a);
+            }
+            if operation == Operation::MulPosPos {
+                b = nonneg(b);
+            }
+            Operands { a, b }
+        })
+        .collect()
+}
+
+/// How often the enclosure misses an exact value, and the first miss in words.
+fn violations(backend: Backend, operation: Operation, count: usize) -> (usize, Option<String>) {
+    let operands = operands(operation, count, 0x5eed);
+    let mut source = Source(0xface);
+    let (mut misses, mut first) = (0, None);
+    for (pair, outcome) in operands.iter().zip(backend.run(operation, &operands)) {
+        for _ in 0..3 {
+            let (x, y) = (source.member(pair.a), source.member(pair.b));
+            if holds(operation, x, y, outcome.range) == Some(false) {
+                misses += 1;
+                first.get_or_insert_with(|| {
+                    format!(
+                        "{operation:?} of {x:e} ∈ {:?} and {y:e} ∈ {:?} is not in {:?}",
+                        pair.a, pair.b, outcome.range
+                    )
+                });
+            }
+        }
+    }
+    (misses, first)
+}
+
+#[test]
+fn every_enclosure_holds() {
+    for backend in Backend::rounded() {
+        for (operation, _) in OPERATIONS {
+            let (misses, first) = violations(backend, operation, CASES);
+            assert_eq!(
+                misses,
+                0,
+                "{}: {}",
+                backend.name(),
+                first.unwrap_or_default()
+            );
+        }
+        println!(
+            "{}: {} operations, {CASES} operands each, 3 points in each",
+            backend.name(),
+            OPERATIONS.len()
+        );
+    }
+}
+
+#[test]
+fn negative_control_rounding_off_is_caught_in_every_operation() {
+    for backend in Backend::unrounded() {
+        for (operation, rounds) in OPERATIONS {
+            let (misses, _) = violations(backend, operation, CASES);
+            println!("{} {operation:?}: {misses} violations", backend.name());
+            assert_eq!(misses > 0, rounds, "{} {operation:?}", backend.name());
+        }
+    }
+}
+
+#[test]
+fn bounds_obey_the_invariants() {
+    for backend in Backend::rounded() {
+        for (operation, _) in OPERATIONS {
+            let operands = operands(operation, CASES, 0xbead);
+            for (pair, outcome) in operands.iter().zip(backend.run(operation, &operands)) {
+                let r = outcome.range;
+                assert!(
+                    Interval::try_new(r.lo, r.hi).is_ok() || outcome.empty,
+                    "{} {operation:?} of {:?}, {:?} is {r:?}",
+                    backend.name(),
+                    pair.a,
+                    pair.b
+                );
+            }
+        }
+    }
+}
+
+/// On points, an optimal back-end gives two neighbours at most; the others two units on each side, and the smallest
+/// subnormal.
+#[test]
+fn enclosures_of_points_are_tight() {
+    let mut source = Source(7);
+    let pairs: Vec<Operands> = (0..CASES)
+        .map(|_| {
+            let (x, y) = (source.unit() * 10.0 + 1e-3, source.unit() * 10.0 + 1e-3);
+            Operands {
+                a: Interval::point(x),
+                b: Interval::point(y),
+            }
+        })
+        .collect();
+    let one_rounding = [
+        Operation::Add,
+        Operation::Sub,
+        Operation::Mul,
+        Operation::MulPos,
+        Operation::MulPosPos,
+        Operation::Sqr,
+        Operation::Div,
+        Operation::Recip,
+        Operation::Sqrt,
+    ];
+    for backend in Backend::rounded() {
+        for operation in one_rounding {
+            let mut worst = 0;
+            for outcome in backend.run(operation, &pairs) {
+                worst = worst.max(steps(outcome.range));
+            }
+            println!(
+                "{} {operation:?}: at most {worst} units wide",
+                backend.name()
+            );
+            assert!(
+                worst <= if backend.is_optimal() { 1 } else { 4 },
+                "{} {operation:?}",
+                backend.name()
+            );
+        }
+    }
+}
+
+/// How many doubles apart the bounds are.
+fn steps(a: Interval) -> i64 {
+    let place = |x: f64| {
+        let bits = x.to_bits() as i64;
+        if bits < 0 { i64::MIN - bits } else { bits }
+    };
+    place(a.hi).saturating_sub(place(a.lo))
+}
