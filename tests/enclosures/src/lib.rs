@@ -2,5 +2,6 @@
 
 pub mod backend;
 pub mod exact;
+pub mod fixture;
 pub mod operand;
 pub mod operation;

@@ -3,6 +3,7 @@
 use zeroset::interval::Interval;
 use zeroset_enclosures::backend::{Backend, Operands};
 use zeroset_enclosures::exact::Exact;
+use zeroset_enclosures::fixture::steps;
 use zeroset_enclosures::operand::Source;
 use zeroset_enclosures::operation::Operation;
 
@@ -209,13 +210,4 @@ fn enclosures_of_points_are_tight() {
             );
         }
     }
-}
-
-/// How many doubles apart the bounds are.
-fn steps(a: Interval) -> i64 {
-    let place = |x: f64| {
-        let bits = x.to_bits() as i64;
-        if bits < 0 { i64::MIN - bits } else { bits }
-    };
-    place(a.hi).saturating_sub(place(a.lo))
 }

@@ -1,0 +1,48 @@
+//! Brackets by arb, read from `fixtures/`.
+
+use zeroset::interval::Interval;
+
+/// An argument, and the neighbouring doubles around the exact value.
+#[derive(Clone, Copy, Debug)]
+pub struct Bracket {
+    /// The arguments; a function of one variable ignores the second.
+    pub at: [f64; 2],
+    /// The greatest double that is not above the value, and the least that is not below.
+    pub value: Interval,
+}
+
+/// The brackets of a function.
+///
+/// # Panics
+/// If the file is missing or is not what `generate.py` writes.
+pub fn brackets(name: &str) -> Vec<Bracket> {
+    let path = format!("{}/fixtures/{name}.txt", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let number =
+        |field: &str| f64::from_bits(u64::from_str_radix(field, 16).expect("bits of a double"));
+    text.lines()
+        .map(|line| {
+            let fields: Vec<f64> = line.split(' ').map(number).collect();
+            match fields[..] {
+                [x, lo, hi] => Bracket {
+                    at: [x, 1.0],
+                    value: Interval { lo, hi },
+                },
+                [x, y, lo, hi] => Bracket {
+                    at: [x, y],
+                    value: Interval { lo, hi },
+                },
+                _ => panic!("{path}: {line}"),
+            }
+        })
+        .collect()
+}
+
+/// How many doubles apart the bounds are.
+pub fn steps(a: Interval) -> u64 {
+    let place = |x: f64| {
+        let bits = x.to_bits() as i64;
+        if bits < 0 { i64::MIN - bits } else { bits }
+    };
+    place(a.hi).abs_diff(place(a.lo))
+}
