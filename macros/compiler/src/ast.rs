@@ -27,6 +27,8 @@ pub struct Head {
     pub name: Option<Ident>,
     /// Its fields.
     pub fields: Vec<Field>,
+    /// Could all fields be read? If not, unknown names may be fields.
+    pub readable: bool,
     /// `#[domain]`: three axes of two bounds.
     pub domain: Option<[[Expr; 2]; 3]>,
 }
@@ -51,6 +53,8 @@ pub struct Field {
 pub struct Type {
     /// What it holds.
     pub shape: crate::tree::Shape,
+    /// Is the shape what was written? After a mistake nothing is said about uses of the field.
+    pub sound: bool,
     /// As it stands in the struct.
     pub tokens: TokenStream,
 }

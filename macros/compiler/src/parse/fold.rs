@@ -36,14 +36,10 @@ impl Parser<'_> {
         }
         cursor.take();
         let mut inner = cursor.inside(group);
-        let pattern = self.pattern(&mut inner);
+        let mut pattern = self.pattern(&mut inner);
         inner.take();
         let over = self.over(&mut inner);
-        if inner.operator(0) == "," && inner.token(1).is_some() {
-            self.report(syntax::two_patterns(inner.place()));
-        } else if inner.operator(0) != "," {
-            self.leftover(&mut inner, &[]);
-        }
+        self.more_patterns(&mut inner, &mut pattern);
         let body = self.block(cursor);
         let place = folder.place.to(cursor.last());
         let fold = Fold {
@@ -53,6 +49,22 @@ impl Parser<'_> {
             body,
         };
         self.expr(ExprKind::Fold(Box::new(fold)), place)
+    }
+
+    /// What follows the range or table of a fold. Variables of more patterns are known in the body.
+    fn more_patterns(&mut self, cursor: &mut Cursor, pattern: &mut Pattern) {
+        while let Some(comma) = cursor.eat(",") {
+            if !Self::fold_ahead(cursor) {
+                break;
+            }
+            self.report(syntax::two_patterns(comma));
+            let more = self.pattern(cursor);
+            pattern.names.extend(more.names);
+            pattern.sound = false;
+            cursor.take();
+            self.over(cursor);
+        }
+        self.leftover(cursor, &[]);
     }
 
     /// The variables before `in`.

@@ -44,13 +44,19 @@ impl Parser<'_> {
         cursor.take();
         cursor.open();
         let name = self.struct_name(cursor);
-        self.generics(cursor);
-        let fields = self.struct_fields(cursor);
+        let fields = if item == "struct" {
+            self.generics(cursor);
+            self.struct_fields(cursor)
+        } else {
+            skip_item(cursor);
+            None
+        };
         Some(Head {
             attributes: attributes.tokens,
             visibility,
             name,
-            fields,
+            readable: fields.is_some(),
+            fields: fields.unwrap_or_default(),
             domain: attributes.domain,
         })
     }
@@ -82,11 +88,11 @@ impl Parser<'_> {
         }
     }
 
-    /// `;` or fields.
-    fn struct_fields(&mut self, cursor: &mut Cursor) -> Vec<Field> {
+    /// `;` or fields; `None` if there may be others than those that could be read.
+    fn struct_fields(&mut self, cursor: &mut Cursor) -> Option<Vec<Field>> {
         cursor.open();
         if cursor.eat(";").is_some() {
-            return Vec::new();
+            return Some(Vec::new());
         }
         if let Some(group) = cursor.group(0, Delimiter::Brace).cloned() {
             cursor.take();
@@ -97,16 +103,18 @@ impl Parser<'_> {
             self.report(head::tuple_struct(cursor.place()));
             cursor.take();
             cursor.eat(";");
-            return Vec::new();
+            return None;
         }
         self.report(head::struct_end(cursor.last()));
-        Vec::new()
+        None
     }
 
-    fn fields(&mut self, cursor: &mut Cursor) -> Vec<Field> {
+    fn fields(&mut self, cursor: &mut Cursor) -> Option<Vec<Field>> {
         let mut fields: Vec<Field> = Vec::new();
+        let mut readable = true;
         while !cursor.at_end() {
             let Some(field) = self.field(cursor) else {
+                readable = false;
                 cursor.skip_to(&[","]);
                 cursor.eat(",");
                 continue;
@@ -126,7 +134,7 @@ impl Parser<'_> {
                 None => fields.push(field),
             }
         }
-        fields
+        readable.then_some(fields)
     }
 
     /// One field with the `,` after it.
@@ -153,6 +161,7 @@ impl Parser<'_> {
             self.report(head::field_without_type(place, &name.text));
             Type {
                 shape: Shape::Number,
+                sound: false,
                 tokens: quote::quote_spanned!(place.start=> f64),
             }
         };
@@ -247,6 +256,17 @@ impl Parser<'_> {
             None => self.report(head::domain_axes(place)),
         }
         true
+    }
+}
+
+/// Skips the rest of an item that is not a struct.
+fn skip_item(cursor: &mut Cursor) {
+    while !cursor.at_end() {
+        let end = cursor.operator(0) == ";" || cursor.group(0, Delimiter::Brace).is_some();
+        cursor.take();
+        if end {
+            break;
+        }
     }
 }
 

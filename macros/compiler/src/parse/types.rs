@@ -27,6 +27,7 @@ impl Parser<'_> {
             cursor.take();
             return Type {
                 shape: Shape::Number,
+                sound: true,
                 tokens: TokenTree::from(word).into(),
             };
         }
@@ -55,6 +56,7 @@ impl Parser<'_> {
             let row_tokens = &row.tokens;
             return Type {
                 shape: Shape::Vec(Box::new(row.shape)),
+                sound: row.sound && outermost,
                 tokens: quote_spanned!(span=> ::std::vec::Vec<#row_tokens>),
             };
         }
@@ -70,6 +72,7 @@ impl Parser<'_> {
         array.set_span(span);
         Type {
             shape: Shape::Array(Box::new(row.shape), length),
+            sound: row.sound,
             tokens: TokenTree::from(array).into(),
         }
     }
@@ -149,6 +152,7 @@ impl Parser<'_> {
         });
         Type {
             shape: Shape::Number,
+            sound: false,
             tokens,
         }
     }
@@ -202,6 +206,7 @@ impl Parser<'_> {
 fn number_type() -> Type {
     Type {
         shape: Shape::Number,
+        sound: false,
         tokens: quote!(f64),
     }
 }

@@ -16,6 +16,9 @@ impl Resolver<'_> {
         let mut defaults = Vec::new();
         for field in fields {
             defaults.push(field.default);
+            if !field.ty.sound {
+                self.flawed_fields.insert(self.fields.len());
+            }
             self.fields.push(Field {
                 attributes: field.attributes,
                 visibility: field.visibility,
@@ -33,12 +36,27 @@ impl Resolver<'_> {
             else {
                 continue;
             };
+            if self.flawed_fields.contains(&index) {
+                self.names_in_entries(default);
+                continue;
+            }
             let default = self.default(default, &shape);
             if let Some(field) = self.fields.get_mut(index) {
                 field.default = default;
             }
         }
         self.setting = Setting::Formula;
+    }
+
+    /// Checks the names in a default of unknown shape.
+    fn names_in_entries(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::List(entries) => entries
+                .iter()
+                .for_each(|entry| self.names_in_entries(entry)),
+            ExprKind::Repeat(parts) => parts.iter().for_each(|part| self.names_in_entries(part)),
+            _ => self.names_in(expr),
+        }
     }
 
     /// A default of this shape.

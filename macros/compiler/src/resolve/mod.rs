@@ -24,10 +24,11 @@ use std::collections::HashSet;
 pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
     let mut resolver = Resolver {
         diagnostics,
-        // Where the struct cannot be read, nothing is known about its fields.
-        expression_form: input.head.is_none(),
+        // Where the struct cannot be read, an unknown name may be a field.
+        expression_form: !input.head.as_ref().is_some_and(|head| head.readable),
         setting: Setting::Formula,
         fields: Vec::new(),
+        flawed_fields: HashSet::new(),
         lets: Vec::new(),
         facts: Vec::new(),
         folds: Vec::new(),
@@ -104,6 +105,8 @@ struct Resolver<'a> {
     expression_form: bool,
     setting: Setting,
     fields: Vec<tree::Field>,
+    /// Fields whose type has a mistake.
+    flawed_fields: HashSet<usize>,
     lets: Vec<tree::Let>,
     /// One fact per `let`.
     facts: Vec<Fact>,

@@ -92,6 +92,7 @@ impl Resolver<'_> {
             }
             Some(Found::Pi) => TermKind::Pi(ident),
             Some(Found::Tau) => TermKind::Tau(ident),
+            Some(Found::Field(field)) if self.flawed_fields.contains(&field) => return None,
             Some(Found::Field(field)) => return self.field(expr, field, ident),
             Some(Found::Declared(Meaning::Let(index))) => {
                 let fact = self.facts.get(index)?;

@@ -1,0 +1,8 @@
+use zeroset::implicit;
+
+implicit! {
+    pub struct A;
+    vec![x]
+}
+
+fn main() {}

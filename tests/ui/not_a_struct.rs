@@ -1,0 +1,12 @@
+use zeroset::implicit;
+
+implicit! {
+    pub enum A { B }
+    x
+}
+
+implicit! {
+    pub x^2 = 1
+}
+
+fn main() {}
