@@ -9,9 +9,11 @@ pub(crate) use roots::AllRoots;
 pub(crate) use tile::TraceTile;
 
 use crate::contract::Contractor;
+use core::marker::PhantomData;
+
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::Rays;
-use crate::solve::{Brackets, Events, Field, Search, Settings, closed_form, march, refine};
+use crate::solve::{Brackets, Events, Field, Search, Settings, closed_form, march, refine, select};
 use crate::surface::{Active, Surface};
 
 /// The ray stage, a function of its own.
@@ -37,50 +39,66 @@ struct Roots<P: Packet> {
     resume: P::F,
 }
 
-/// The first root of each live ray in `over`: by closed form where there is one, by the march otherwise.
-#[inline(always)]
-fn first_roots<S: Surface, C: Contractor, P: Packet>(
-    field: &mut Field<'_, S, P>,
-    settings: &Settings,
-    over: Interval<P::F>,
+/// The first root of each live ray in `over`: by closed form where there is one, by the march otherwise. A function of
+/// its own, which tiles and single rays share.
+struct FirstRoots<'b, 'f, S: Surface, C, P: Packet> {
+    field: &'b mut Field<'f, S, P>,
+    settings: &'b Settings,
+    over: &'b Interval<P::F>,
     live: P::M,
     first_only: bool,
-    events: &mut Events,
-) -> Roots<P> {
-    let p = field.p;
-    let mut live = live;
-    let mut roots = Roots {
-        hit: p.mask(0),
-        t: over,
-        resume: over.hi,
-    };
-    if settings.closed_forms
-        && let Some(leaf) = S::quadric(field.bound)
-    {
-        let first = closed_form(p, leaf).first_in(p, leaf, &over);
-        roots = Roots {
-            hit: p.and(live, first.hit),
-            t: first.root,
-            resume: first.resume,
+    events: &'b mut Events,
+    solver: PhantomData<C>,
+}
+
+impl<S: Surface, C: Contractor, P: Packet> Routine<P> for FirstRoots<'_, '_, S, C, P> {
+    type Output = Roots<P>;
+
+    #[inline(always)]
+    fn call(self, p: P) -> Roots<P> {
+        let FirstRoots {
+            field,
+            settings,
+            over,
+            live,
+            first_only,
+            events,
+            ..
+        } = self;
+        let mut live = live;
+        let mut roots = Roots {
+            hit: p.mask(0),
+            t: *over,
+            resume: over.hi,
         };
-        live = p.and_not(live, first.decided);
-        if !p.any(live) {
-            return roots;
+        if settings.closed_forms
+            && let Some(leaf) = S::quadric(field.bound)
+        {
+            let first = closed_form(p, leaf).first_in(p, leaf, over);
+            roots = Roots {
+                hit: p.and(live, first.hit),
+                t: first.root,
+                resume: first.resume,
+            };
+            live = p.and_not(live, first.decided);
+            if !p.any(live) {
+                return roots;
+            }
         }
+        let limit = field.counts.packets + u64::from(settings.budget);
+        let search = Search {
+            over: *over,
+            live,
+            limit,
+            first_only,
+        };
+        let found: Brackets<P> = march::<S, C, P>(field, &search, events);
+        if p.any(found.found) {
+            let t = refine(field, &found, settings.plain_convergence);
+            roots.t = select(p, found.found, &t, &roots.t);
+            roots.resume = p.select(found.found, found.resume, roots.resume);
+            roots.hit = p.or(roots.hit, found.found);
+        }
+        roots
     }
-    let limit = field.counts.packets + u64::from(settings.budget);
-    let search = Search {
-        over,
-        live,
-        limit,
-        first_only,
-    };
-    let found: Brackets<P> = march::<S, C, P>(field, &search, events);
-    if p.any(found.found) {
-        let t = refine(field, &found, settings.plain_convergence);
-        roots.t = crate::solve::select(p, found.found, &t, &roots.t);
-        roots.resume = p.select(found.found, found.resume, roots.resume);
-        roots.hit = p.or(roots.hit, found.found);
-    }
-    roots
 }

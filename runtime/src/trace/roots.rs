@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, first_roots};
+use super::{Bind, FirstRoots};
 use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
@@ -73,8 +73,16 @@ impl<S: Surface, C: Contractor> Kernel for AllRoots<'_, S, C> {
         };
         let one = p.mask(1);
         loop {
-            let roots =
-                first_roots::<S, C, P>(&mut field, self.settings, over, one, false, &mut events);
+            let job = FirstRoots::<S, C, P> {
+                field: &mut field,
+                settings: self.settings,
+                over: &over,
+                live: one,
+                first_only: false,
+                events: &mut events,
+                solver: PhantomData,
+            };
+            let roots = p.call(job);
             for verdict in &events.of[0] {
                 verdict.append(&mut found);
             }

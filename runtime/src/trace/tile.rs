@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, first_roots};
+use super::{Bind, FirstRoots};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
@@ -75,7 +75,16 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
                 bound: &bound,
                 counts: &mut tile.counts,
             };
-            let roots = first_roots::<S, C, P>(&mut field, settings, over, live, true, &mut events);
+            let job = FirstRoots::<S, C, P> {
+                field: &mut field,
+                settings,
+                over: &over,
+                live,
+                first_only: true,
+                events: &mut events,
+                solver: PhantomData,
+            };
+            let roots = p.call(job);
             keep(p, packet, roots.hit, &roots.t, index);
             if events.touched != 0 {
                 collect(packet, number as u16, index, &mut events, &mut tile.events);

@@ -1,0 +1,108 @@
+//! Judges an answer by exact arithmetic.
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use zeroset::camera::Ray;
+use zeroset::interval::Interval;
+use zeroset::verdict::{Answer, Verdict};
+
+use crate::exact::{Poly, Sturm, rational};
+
+/// The ray's three coordinates as polynomials in t.
+pub fn coordinates(ray: &Ray) -> [Poly; 3] {
+    let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
+    [
+        Poly::line(o[0], d[0]),
+        Poly::line(o[1], d[1]),
+        Poly::line(o[2], d[2]),
+    ]
+}
+
+/// The exact first and last parameter t ≥ 0 of a ray inside a box.
+pub fn clip(ray: &Ray, domain: &[[f64; 3]; 2]) -> Option<(BigRational, BigRational)> {
+    let mut near = BigRational::zero();
+    let mut far: Option<BigRational> = None;
+    for axis in 0..3 {
+        let (o, d) = (ray.origin.to_array()[axis], ray.direction.to_array()[axis]);
+        let (lo, hi) = (domain[0][axis], domain[1][axis]);
+        if d == 0.0 {
+            if o < lo || o > hi {
+                return None;
+            }
+            continue;
+        }
+        let speed = rational(d);
+        let a = (rational(lo) - rational(o)) / &speed;
+        let b = (rational(hi) - rational(o)) / &speed;
+        let (enters, leaves) = if speed.is_positive() { (a, b) } else { (b, a) };
+        near = near.max(enters);
+        far = Some(far.map_or(leaves.clone(), |f| f.min(leaves)));
+    }
+    let far = far?;
+    (near <= far).then_some((near, far))
+}
+
+/// What is wrong with an answer about the roots of a polynomial inside a box; nothing if it is right.
+///
+/// Roots within a rounding of the box's faces may be counted as inside.
+pub fn judge(f: &Poly, ray: &Ray, domain: &[[f64; 3]; 2], answer: &Answer) -> Result<(), String> {
+    let Some((near, far)) = clip(ray, domain) else {
+        let outside = answer.first == Verdict::Miss;
+        // A ray that passes the box within a rounding may be searched there.
+        return if outside || answer.first.t().is_some_and(|t| t.width() < 1e-9) {
+            Ok(())
+        } else {
+            Err(format!("a ray beside the box: {:?}", answer.first))
+        };
+    };
+    if f.is_zero() {
+        return match answer.first {
+            Verdict::Unresolved { .. } => Ok(()),
+            other => Err(format!("f is 0 along the ray: {other:?}")),
+        };
+    }
+    let roots = f.sturm();
+    let entry = rational(answer.entry);
+    if entry > near {
+        return Err("the entry lies behind the box's face".into());
+    }
+    judge_one(&roots, &near, &far, &entry, &answer.first, true)?;
+    if let Some(behind) = &answer.behind {
+        judge_one(&roots, &near, &far, &entry, behind, false)?;
+    }
+    Ok(())
+}
+
+fn place(entry: &BigRational, t: &Interval) -> (BigRational, BigRational) {
+    (entry + rational(t.lo), entry + rational(t.hi))
+}
+
+fn judge_one(
+    roots: &Sturm,
+    near: &BigRational,
+    far: &BigRational,
+    entry: &BigRational,
+    verdict: &Verdict,
+    first: bool,
+) -> Result<(), String> {
+    let Some(t) = verdict.t() else {
+        let count = roots.closed(near, far);
+        return if count == 0 {
+            Ok(())
+        } else {
+            Err(format!("called a miss, has {count} roots"))
+        };
+    };
+    let (lo, hi) = place(entry, &t);
+    let before = roots.before(near, &lo);
+    if first && before > 0 {
+        return Err(format!("{before} roots before {verdict:?}"));
+    }
+    let inside = roots.closed(&lo, &hi);
+    match verdict {
+        Verdict::Root { .. } if inside != 1 => Err(format!("{inside} roots in {verdict:?}")),
+        Verdict::Crossing { .. } if inside == 0 => Err(format!("no root in {verdict:?}")),
+        Verdict::Tangent { .. } if inside > 2 => Err(format!("{inside} roots in {verdict:?}")),
+        _ => Ok(()),
+    }
+}

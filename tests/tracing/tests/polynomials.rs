@@ -1,0 +1,255 @@
+//! Thousands of rays against Sturm's theorem in rational arithmetic: no miss and no root may be wrong.
+
+use glam::DVec3;
+use zeroset::camera::{Camera, Sampling};
+use zeroset::contract::{Auto, Bisection, Halley, Newton, Tightened};
+use zeroset::interval::Isa;
+use zeroset::render::{Options, Rendering, render};
+use zeroset::scene::Scene;
+use zeroset::surface::Surface;
+use zeroset_tracing_tests::dual::Hand;
+use zeroset_tracing_tests::exact::Poly;
+use zeroset_tracing_tests::formulas::{DoubleSphere, Sphere, Torus};
+use zeroset_tracing_tests::oracle::{coordinates, judge};
+use zeroset_tracing_tests::staged::Ball;
+
+fn sphere(p: &[Poly; 3], r: f64) -> Poly {
+    let square = p[0].mul(&p[0]).add(&p[1].mul(&p[1])).add(&p[2].mul(&p[2]));
+    let r = Poly::number(r);
+    square.sub(&r.mul(&r))
+}
+
+fn torus(p: &[Poly; 3], major: f64, minor: f64) -> Poly {
+    // The surface's fields are floats, and so is the constant that it computes of them.
+    let flat = p[0].mul(&p[0]).add(&p[1].mul(&p[1]));
+    let shifted = flat
+        .add(&p[2].mul(&p[2]))
+        .add(&Poly::number(major * major - minor * minor));
+    shifted
+        .mul(&shifted)
+        .sub(&Poly::number(4.0 * major * major).mul(&flat))
+}
+
+/// Cameras near and far, along an axis (zero components), and at an angle.
+fn cameras(size: f64) -> Vec<Camera> {
+    let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z) * size;
+    vec![
+        Camera::perspective(at(2.5, 1.8, 4.0), DVec3::ZERO, DVec3::Y, 40.0).unwrap(),
+        Camera::perspective(at(0.0, 0.0, 4.0), DVec3::ZERO, DVec3::Y, 35.0).unwrap(),
+        Camera::perspective(at(0.1, 0.2, 0.3), DVec3::X * size, DVec3::Y, 90.0).unwrap(),
+        Camera::perspective(at(1e3, 2e3, 3e3), DVec3::ZERO, DVec3::Y, 0.05).unwrap(),
+        Camera::perspective(at(1e6, 1e5, 2e6), DVec3::ZERO, DVec3::Y, 1e-4).unwrap(),
+        Camera::orthographic(at(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y, 4.0 * size).unwrap(),
+        Camera::orthographic(at(5.0, 4.0, 3.0), DVec3::ZERO, DVec3::Y, 4.0 * size).unwrap(),
+    ]
+}
+
+const SIZE: u32 = 24;
+
+fn options(isa: Isa) -> Options<'static> {
+    let mut options = Options::new(SIZE, SIZE);
+    options.isa = Some(isa);
+    // Corners: with an even size, rays through the middle of the picture and along the axes.
+    options.sampling = Sampling::Corner;
+    options
+}
+
+/// Judges every pixel. Returns how many answers are wrong, with the first complaint.
+fn judge_all(
+    picture: &Rendering,
+    camera: &Camera,
+    domain: &[[f64; 3]; 2],
+    f: &dyn Fn(&[Poly; 3]) -> Poly,
+) -> (usize, Option<String>) {
+    let (mut wrong, mut complaint) = (0, None);
+    for y in 0..SIZE {
+        for x in 0..SIZE {
+            let ray = camera.ray(x, y, SIZE, SIZE, Sampling::Corner);
+            let poly = f(&coordinates(&ray));
+            if let Err(why) = judge(&poly, &ray, domain, &picture.answer(x, y)) {
+                wrong += 1;
+                complaint.get_or_insert_with(|| format!("pixel ({x}, {y}), {ray:?}: {why}"));
+            }
+        }
+    }
+    (wrong, complaint)
+}
+
+/// Renders with each camera, on each instruction set, and judges.
+fn prove(
+    name: &str,
+    scene: &dyn Fn() -> Scene,
+    domain: [[f64; 3]; 2],
+    size: f64,
+    f: &dyn Fn(&[Poly; 3]) -> Poly,
+) {
+    for isa in Isa::available() {
+        for camera in cameras(size) {
+            let picture = render(&scene(), &camera, &options(isa)).unwrap();
+            let (wrong, complaint) = judge_all(&picture, &camera, &domain, f);
+            assert_eq!(
+                wrong,
+                0,
+                "{name} on {isa}: {}",
+                complaint.unwrap_or_default()
+            );
+            let s = picture.statistics();
+            let open = s.tangent + s.crossing + s.unresolved;
+            assert!(
+                open <= s.rays / 20,
+                "{name} on {isa}: too much is open\n{s}"
+            );
+        }
+    }
+}
+
+fn domain<S: Surface>(surface: &S) -> [[f64; 3]; 2] {
+    surface.domain().unwrap()
+}
+
+#[test]
+fn spheres() {
+    for radius in [1.0, 0.7] {
+        let s = Hand::new(Sphere(radius), 2.0);
+        prove("sphere", &|| Scene::new().with(s), domain(&s), 1.0, &|p| {
+            sphere(p, radius)
+        });
+        prove(
+            "newton",
+            &|| Scene::new().with_solver::<Newton, _>(s),
+            domain(&s),
+            1.0,
+            &|p| sphere(p, radius),
+        );
+        prove(
+            "tightened",
+            &|| Scene::new().with_solver::<Tightened, _>(s),
+            domain(&s),
+            1.0,
+            &|p| sphere(p, radius),
+        );
+        prove(
+            "halley",
+            &|| Scene::new().with_solver::<Halley, _>(s),
+            domain(&s),
+            1.0,
+            &|p| sphere(p, radius),
+        );
+        prove(
+            "bisection",
+            &|| Scene::new().with_solver::<Bisection, _>(s),
+            domain(&s),
+            1.0,
+            &|p| sphere(p, radius),
+        );
+    }
+}
+
+#[test]
+fn spheres_in_closed_form() {
+    for (radius, half, size) in [
+        (1.0, 2.0, 1.0),
+        (0.3, 0.5, 1.0),
+        (7e5, 1e6, 1e6),
+        (3e-4, 1e-3, 1e-3),
+    ] {
+        let s = Ball { radius, half };
+        prove("ball", &|| Scene::new().with(s), domain(&s), size, &|p| {
+            sphere(p, radius)
+        });
+    }
+}
+
+#[test]
+fn toruses() {
+    // 1.5² − 0.5² and 4·1.5² are floats.
+    let s = Hand::new(
+        Torus {
+            major: 1.5,
+            minor: 0.5,
+        },
+        2.5,
+    );
+    let f = |p: &[Poly; 3]| torus(p, 1.5, 0.5);
+    prove(
+        "auto",
+        &|| Scene::new().with_solver::<Auto, _>(s),
+        domain(&s),
+        1.0,
+        &f,
+    );
+    prove(
+        "newton",
+        &|| Scene::new().with_solver::<Newton, _>(s),
+        domain(&s),
+        1.0,
+        &f,
+    );
+    prove(
+        "tightened",
+        &|| Scene::new().with_solver::<Tightened, _>(s),
+        domain(&s),
+        1.0,
+        &f,
+    );
+    prove(
+        "halley",
+        &|| Scene::new().with_solver::<Halley, _>(s),
+        domain(&s),
+        1.0,
+        &f,
+    );
+}
+
+#[test]
+fn double_spheres_have_no_certain_hit() {
+    let s = Hand::new(DoubleSphere(1.0), 2.0);
+    let camera = &cameras(1.0)[0];
+    for isa in Isa::available() {
+        let picture = render(&Scene::new().with(s), camera, &options(isa)).unwrap();
+        let f = |p: &[Poly; 3]| {
+            let f = sphere(p, 1.0);
+            f.mul(&f)
+        };
+        let (wrong, complaint) = judge_all(&picture, camera, &domain(&s), &f);
+        assert_eq!(wrong, 0, "{isa}: {}", complaint.unwrap_or_default());
+        let statistics = picture.statistics();
+        assert_eq!(statistics.root + statistics.crossing, 0, "{statistics}");
+        assert!(statistics.tangent > 100, "{statistics}");
+    }
+}
+
+/// The suite can fail: answers about a slightly different sphere are caught.
+#[test]
+fn wrong_answers_are_caught() {
+    let s = Ball {
+        radius: 1.0,
+        half: 2.0,
+    };
+    let camera = &cameras(1.0)[0];
+    let picture = render(&Scene::new().with(s), camera, &options(Isa::available()[0])).unwrap();
+    let (wrong, _) = judge_all(&picture, camera, &domain(&s), &|p| sphere(p, 1.0 + 1e-13));
+    assert!(wrong > 50, "only {wrong} wrong answers were noticed");
+}
+
+/// The same code with rounding to nearest is caught.
+#[cfg(feature = "unrounded")]
+#[test]
+fn without_rounding_answers_are_wrong() {
+    let s = Hand::new(Sphere(0.7), 2.0);
+    for isa in Isa::unrounded() {
+        let mut wrong = 0;
+        for camera in cameras(1.0) {
+            let picture = render(&Scene::new().with(s), &camera, &options(isa)).unwrap();
+            wrong += judge_all(&picture, &camera, &domain(&s), &|p| sphere(p, 0.7)).0;
+        }
+        println!("{isa}: {wrong} wrong answers");
+        assert!(wrong > 0, "{isa}: rounding to nearest was not noticed");
+    }
+}
+
+#[cfg(not(feature = "unrounded"))]
+#[test]
+fn without_rounding_answers_are_wrong() {
+    println!("SKIPPED without_rounding_answers_are_wrong: build with --features unrounded");
+}
