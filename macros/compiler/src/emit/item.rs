@@ -249,5 +249,7 @@ fn bound(formula: &Formula, term: &Term, side: &TokenStream) -> Result<TokenStre
         &mut body,
     );
     let name = value.iter().map(|v| &v.name);
-    Ok(quote_spanned!(term.source.start=> { let a = __zeroset::scalar(); #body #(#name)*.#side }))
+    // `let a` and the body that names it must have one hygiene: only the braces carry the bound's span.
+    let code = quote!(let a = __zeroset::scalar(); #body #(#name)*.#side);
+    Ok(quote_spanned!(term.source.start=> { #code }))
 }
