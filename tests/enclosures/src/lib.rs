@@ -3,5 +3,6 @@
 pub mod backend;
 pub mod exact;
 pub mod fixture;
+pub mod itf;
 pub mod operand;
 pub mod operation;

@@ -282,7 +282,12 @@ fn atanh_bound(x: f64) -> f64 {
 /// aᵇ. ln(aᵇ) = b·ln a is bilinear, so the extreme values are those of corners; a corner at 0 or ∞ is the limit along
 /// an edge, which the library's value is.
 pub fn pow(a: Interval, b: Interval, steps: u32) -> Interval {
+    // A power of −0 with a negative exponent would be −∞: adding +0 makes it +0.
     let a = clamp(a, 0.0, INF);
+    let a = Interval {
+        lo: a.lo + 0.0,
+        hi: a.hi + 0.0,
+    };
     let corners = [
         a.lo.powf(b.lo),
         a.lo.powf(b.hi),
