@@ -57,6 +57,8 @@ messages! {
     domain_interval() "expected an interval" => "write `-1..1`";
     /// `#[domain]` twice
     domain_twice() "the domain is given twice";
+    /// `struct S { #[domain(…)] r: f64 }`
+    domain_of_field() "the domain belongs to the struct" => "write it before `struct`";
     /// `#[domain(x in 1..-1, …)]`
     domain_empty() "this interval is empty" => "the lower bound stands first: `-1..1`";
     /// `#[domain(x in k..1, …)]`

@@ -23,6 +23,8 @@ messages! {
     discarded_binding(name: &str) "the formula's value is discarded" => "name it: `let {name} = …;`";
     /// `x + y; x`
     discarded_early() "this value is discarded" => "a formula has one value: name this one with `let`, or remove it";
+    /// `/// text` before a `let`
+    attribute_inside() "attributes are not possible inside a formula" => "a comment begins with `//`";
     /// `let a = x^2 a`
     let_end() "expected `;` at the end of this `let`";
     /// `let mut a = x;`

@@ -1,17 +1,21 @@
 //! `let`s, then a value or an equation.
 
-use super::token::{Cursor, TokenKind};
+use super::cursor::Cursor;
+use super::token::TokenKind;
 use super::{Parser, error, keyword, name};
 use crate::ast::{Body, Expr, ExprKind, Let, Name};
 use crate::catalogue::{syntax, tokens};
+use proc_macro2::Delimiter;
 
 impl Parser<'_> {
     /// Parses everything that is left: the formula, or the inside of a block.
     pub(super) fn body(&mut self, cursor: &mut Cursor) -> Body {
         let mut lets = Vec::new();
         loop {
+            self.stray_attributes(cursor);
             while cursor.at_word("let") {
                 lets.push(self.binding(cursor));
+                self.stray_attributes(cursor);
             }
             if cursor.at_end() {
                 // After a `let` without its `;` one message is enough.
@@ -38,6 +42,16 @@ impl Parser<'_> {
                 return Body { lets, left, right };
             }
             lets.push(self.discard(left, right, sound));
+        }
+    }
+
+    /// Attributes, which doc comments are too, where a value or a `let` should be.
+    fn stray_attributes(&mut self, cursor: &mut Cursor) {
+        while cursor.operator(0) == "#" && cursor.group(1, Delimiter::Bracket).is_some() {
+            let start = cursor.place();
+            cursor.take();
+            cursor.take();
+            self.report(syntax::attribute_inside(start.to(cursor.last())));
         }
     }
 
@@ -159,9 +173,9 @@ impl Parser<'_> {
             }
         }
         let mistakes = self.diagnostics.len();
-        cursor.binding = true;
+        cursor.unended = !cursor.semicolon_ahead();
         let mut value = self.expression(cursor);
-        cursor.binding = false;
+        cursor.unended = false;
         while cursor.operator(0) == "=" {
             self.report(syntax::second_equation(cursor.place()));
             cursor.take();

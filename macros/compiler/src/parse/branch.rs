@@ -1,6 +1,6 @@
 //! `if a < b { … } else { … }`
 
-use super::token::Cursor;
+use super::cursor::Cursor;
 use super::{Parser, error};
 use crate::ast::{Expr, ExprKind};
 use crate::catalogue::syntax;
@@ -36,10 +36,10 @@ impl Parser<'_> {
             self.report(syntax::no_condition(place));
             return error(place, Vec::new());
         }
-        let outer = (cursor.condition, cursor.bars, cursor.binding);
-        (cursor.condition, cursor.bars, cursor.binding) = (true, 0, false);
+        let outer = (cursor.condition, cursor.bars, cursor.unended);
+        (cursor.condition, cursor.bars, cursor.unended) = (true, 0, false);
         let condition = self.expression(cursor);
-        (cursor.condition, cursor.bars, cursor.binding) = outer;
+        (cursor.condition, cursor.bars, cursor.unended) = outer;
         if cursor.operator(0) == "=" {
             self.report(crate::catalogue::tokens::equality_test(cursor.place(), "="));
             cursor.take();

@@ -1,6 +1,7 @@
 //! Calls, methods, and what looks like them.
 
-use super::token::{Cursor, TokenKind};
+use super::cursor::Cursor;
+use super::token::TokenKind;
 use super::{Parser, error, name};
 use crate::ast::{Expr, ExprKind, Name};
 use crate::catalogue::{syntax, tokens};

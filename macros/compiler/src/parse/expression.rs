@@ -5,7 +5,8 @@
 //! the middle of a formula is one mistake.
 
 use super::chain::Join;
-use super::token::{Cursor, TokenKind};
+use super::cursor::Cursor;
+use super::token::TokenKind;
 use super::{Parser, error};
 use crate::ast::{Comparison, Expr, ExprKind, Logic};
 use crate::catalogue::{syntax, tokens};
@@ -102,7 +103,7 @@ impl Parser<'_> {
     /// Does a second operand follow the first? A brace opens the block of an `if` or a fold, and in a `let` it may be
     /// the `;` that is missing rather than an operator.
     pub(super) fn operand_ahead(&self, cursor: &Cursor) -> bool {
-        if cursor.binding && !cursor.semicolon_ahead() {
+        if cursor.unended {
             return false;
         }
         match cursor.peek(0) {

@@ -1,7 +1,8 @@
 //! Folds: `sum([a, b] in t) { … }`.
 
+use super::cursor::Cursor;
 use super::primary::whole;
-use super::token::{Cursor, Token, TokenKind};
+use super::token::{Token, TokenKind};
 use super::{Parser, error, keyword, name};
 use crate::ast::{Body, Expr, ExprKind, Fold, Name, Over, Pattern};
 use crate::catalogue::syntax;

@@ -1,25 +1,14 @@
 //! The struct of the struct form.
 
-use super::token::{Cursor, Token, TokenKind};
+use super::attributes::visibility;
+use super::cursor::Cursor;
+use super::token::Token;
 use super::{Parser, keyword, name};
-use crate::ast::{Expr, Field, Head, Type};
+use crate::ast::{Field, Head, Type};
 use crate::catalogue::head;
 use crate::diagnostic::{Place, line};
 use crate::tree::Shape;
-use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
-
-/// What attributes say.
-#[derive(Default)]
-struct Attributes {
-    /// Those that pass through.
-    tokens: TokenStream,
-    /// The bounds in `#[domain]`.
-    domain: Option<[[Expr; 2]; 3]>,
-    /// Was there a `#[domain]`?
-    domain_seen: bool,
-    /// Was there any attribute?
-    any: bool,
-}
+use proc_macro2::{Delimiter, Ident};
 
 impl Parser<'_> {
     /// The struct, if the input begins with one.
@@ -140,6 +129,9 @@ impl Parser<'_> {
     /// One field with the `,` after it.
     fn field(&mut self, cursor: &mut Cursor) -> Option<Field> {
         let attributes = self.attributes(cursor);
+        if let Some(place) = attributes.domain_seen {
+            self.report(head::domain_of_field(place));
+        }
         let visibility = visibility(cursor);
         cursor.open();
         let place = cursor.place();
@@ -198,65 +190,6 @@ impl Parser<'_> {
             _ => {}
         }
     }
-
-    /// All attributes that stand here.
-    fn attributes(&mut self, cursor: &mut Cursor) -> Attributes {
-        let mut attributes = Attributes::default();
-        cursor.open();
-        while cursor.operator(0) == "#" {
-            attributes.any = true;
-            let place = cursor.place();
-            cursor.take();
-            if cursor.operator(0) == "!" {
-                cursor.take();
-                self.report(head::inner_attribute(place.to(cursor.last())));
-                cursor.take();
-                cursor.open();
-                continue;
-            }
-            let Some(group) = cursor.group(0, Delimiter::Bracket).cloned() else {
-                break;
-            };
-            cursor.take();
-            if !self.domain_attribute(cursor, &group, &mut attributes) {
-                let mut hash = Punct::new('#', Spacing::Alone);
-                hash.set_span(place.start);
-                attributes
-                    .tokens
-                    .extend([TokenTree::from(hash), TokenTree::from(group)]);
-            }
-            cursor.open();
-        }
-        attributes
-    }
-
-    /// Is this attribute the domain?
-    fn domain_attribute(
-        &mut self,
-        cursor: &Cursor,
-        group: &Group,
-        attributes: &mut Attributes,
-    ) -> bool {
-        let mut inner = cursor.inside(group);
-        inner.open();
-        if !inner.at_word("domain") {
-            return false;
-        }
-        let place = inner.place();
-        if std::mem::replace(&mut attributes.domain_seen, true) {
-            self.report(head::domain_twice(place));
-            return true;
-        }
-        inner.take();
-        match inner.group(0, Delimiter::Parenthesis).cloned() {
-            Some(axes) => {
-                let mut axes = inner.inside(&axes);
-                attributes.domain = self.domain(&mut axes, place);
-            }
-            None => self.report(head::domain_axes(place)),
-        }
-        true
-    }
 }
 
 /// Skips the rest of an item that is not a struct.
@@ -268,23 +201,4 @@ fn skip_item(cursor: &mut Cursor) {
             break;
         }
     }
-}
-
-/// `pub`, `pub(crate)` or nothing.
-fn visibility(cursor: &mut Cursor) -> TokenStream {
-    let mut tokens = TokenStream::new();
-    cursor.open();
-    let Some(word) = cursor.word(0).filter(|word| *word == "pub").cloned() else {
-        return tokens;
-    };
-    cursor.take();
-    tokens.extend([TokenTree::from(word)]);
-    if let Some(TokenKind::Group(group)) = cursor.peek(0).cloned()
-        && group.delimiter() == Delimiter::Parenthesis
-    {
-        cursor.take();
-        tokens.extend([TokenTree::from(group)]);
-    }
-    cursor.open();
-    tokens
 }

@@ -1,6 +1,7 @@
 //! Operators of other languages where a value should be.
 
-use super::token::{Cursor, TokenKind};
+use super::cursor::Cursor;
+use super::token::TokenKind;
 use super::{Parser, error};
 use crate::ast::Expr;
 use crate::catalogue::tokens;

@@ -3,24 +3,26 @@
 //! A mistake becomes an [`ExprKind::Error`] that keeps the expressions around it, so that their names are checked too.
 //! The parser picks up again at `;`, `,` and the ends of groups.
 
+mod attributes;
 mod body;
 mod branch;
 mod call;
 mod chain;
+mod cursor;
 mod expression;
 mod fold;
 mod head;
 mod mistakes;
-pub mod number;
+mod number;
 mod primary;
-pub mod token;
+mod token;
 mod types;
 
 use crate::ast::{Body, Expr, ExprKind, Input, Name};
 use crate::catalogue::syntax;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
+use cursor::Cursor;
 use proc_macro2::{Ident, TokenStream};
-use token::Cursor;
 
 /// The deepest nesting of brackets and operators. Later passes recurse over the tree.
 pub const MOST_LEVELS: u16 = 256;

@@ -23,13 +23,13 @@ pub enum Number<'a> {
     /// More than [`MOST_DIGITS`] digits.
     TooLong,
     /// A string, a character and so on.
-    NotANumber,
+    Other,
 }
 
 /// Reads the text of a literal token.
 pub fn number(text: &str) -> Number<'_> {
     if !text.starts_with(|c: char| c.is_ascii_digit()) {
-        return Number::NotANumber;
+        return Number::Other;
     }
     for (prefix, radix) in [("0x", 16), ("0o", 8), ("0b", 2)] {
         if let Some(digits) = text.strip_prefix(prefix) {
@@ -87,7 +87,7 @@ fn scaled<'a>(mantissa: &str, fraction: usize, exponent: i64) -> Number<'a> {
         return Number::TooLong;
     }
     let Some(mantissa) = BigInt::parse_bytes(&digits, 10) else {
-        return Number::NotANumber;
+        return Number::Other;
     };
     if mantissa.is_zero() {
         return Number::Exact(BigRational::zero());
@@ -135,7 +135,7 @@ mod tests {
         assert_eq!(number("1.5e2pi"), Number::Suffixed("1.5e2", "pi"));
         assert_eq!(number("2em"), Number::Suffixed("2", "em"));
         assert_eq!(number("0x10"), Number::Radix(Some(16.into())));
-        assert_eq!(number("\"2\""), Number::NotANumber);
+        assert_eq!(number("\"2\""), Number::Other);
     }
 
     #[test]

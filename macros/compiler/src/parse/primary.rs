@@ -1,7 +1,8 @@
 //! Values: numbers, names, groups, and what may follow them.
 
+use super::cursor::Cursor;
 use super::number::{MOST_DIGITS, Number, number};
-use super::token::{Cursor, Token, TokenKind};
+use super::token::{Token, TokenKind};
 use super::{Parser, error, keyword, name};
 use crate::ast::{Expr, ExprKind};
 use crate::catalogue::{syntax, tokens};
@@ -108,7 +109,7 @@ impl Parser<'_> {
     fn literal(&mut self, cursor: &mut Cursor, text: &str, place: Place) -> Expr {
         let mistake = match number(text) {
             Number::Exact(value) => return self.expr(ExprKind::Number(value), place),
-            Number::NotANumber => syntax::value_found(place, text),
+            Number::Other => syntax::value_found(place, text),
             Number::Suffixed(digits, suffix) if typed(suffix) => {
                 tokens::typed_number(place, digits)
             }

@@ -1,9 +1,10 @@
-//! Types of fields, and the domain.
+//! Types of fields.
 
 use super::Parser;
+use super::cursor::Cursor;
 use super::number::{Number, number};
-use super::token::{Cursor, TokenKind};
-use crate::ast::{Expr, Over, Type};
+use super::token::TokenKind;
+use crate::ast::Type;
 use crate::catalogue::head;
 use crate::diagnostic::Place;
 use crate::tree::Shape;
@@ -154,50 +155,6 @@ impl Parser<'_> {
             shape: Shape::Number,
             sound: false,
             tokens,
-        }
-    }
-
-    /// `x in -1..1, y in -1..1, z in -1..1`, in any order.
-    pub(super) fn domain(
-        &mut self,
-        cursor: &mut Cursor,
-        attribute: Place,
-    ) -> Option<[[Expr; 2]; 3]> {
-        let mistakes = self.diagnostics.len();
-        let mut axes = [None, None, None];
-        while !cursor.at_end() {
-            let axis = cursor
-                .word(0)
-                .and_then(|word| match word.to_string().as_str() {
-                    "x" => axes.get_mut(0),
-                    "y" => axes.get_mut(1),
-                    "z" => axes.get_mut(2),
-                    _ => None,
-                });
-            let Some(axis) = axis.filter(|axis| axis.is_none()) else {
-                self.report(head::domain_axes(attribute));
-                return None;
-            };
-            cursor.take();
-            if cursor.eat_word("in").is_none() {
-                self.report(head::domain_axes(attribute));
-                return None;
-            }
-            match self.over(cursor) {
-                Over::Range(lower, upper) => *axis = Some([lower, upper]),
-                Over::Table(value) => self.report(head::domain_interval(value.place)),
-            }
-            self.leftover(cursor, &[","]);
-            cursor.eat(",");
-        }
-        match axes {
-            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
-            _ => {
-                if self.diagnostics.len() == mistakes {
-                    self.report(head::domain_axes(attribute));
-                }
-                None
-            }
         }
     }
 }

@@ -11,7 +11,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-/// The largest exponent. Beyond it every power in a scene is 0, 1 or infinite.
+/// The largest exponent: far beyond any formula, and far within what the runtime's powers take.
 const MOST_EXPONENT: u32 = 1_000_000;
 
 impl Resolver<'_> {
