@@ -51,7 +51,12 @@ trait Sample {
     /// f and its gradient alone.
     fn gradient(&self, b: [Interval; 3]) -> [Interval; 4];
     /// f, f', f'' over a segment of a ray, and the same by the shorter entry points.
-    fn along(&self, o: [f64; 3], d: [f64; 3], t: Interval) -> ([Interval; 3], [Interval; 2], Interval);
+    fn along(
+        &self,
+        o: [f64; 3],
+        d: [f64; 3],
+        t: Interval,
+    ) -> ([Interval; 3], [Interval; 2], Interval);
 }
 
 struct Wrapped<S>(S);
@@ -71,11 +76,26 @@ impl<S: Surface> Sample for Wrapped<S> {
         S::gradient(Scalar, &self.0.prepare(), b).d
     }
 
-    fn along(&self, o: [f64; 3], d: [f64; 3], t: Interval) -> ([Interval; 3], [Interval; 2], Interval) {
+    fn along(
+        &self,
+        o: [f64; 3],
+        d: [f64; 3],
+        t: Interval,
+    ) -> ([Interval; 3], [Interval; 2], Interval) {
         let prepared = self.0.prepare();
         let mut bound = S::unbound(Scalar);
-        let rays = Rays { origin: o.map(point), direction: d.map(point), end: t.hi };
-        S::bind(Scalar, &prepared, &rays, &S::everything(&prepared), &mut bound);
+        let rays = Rays {
+            origin: o.map(point),
+            direction: d.map(point),
+            end: t.hi,
+        };
+        S::bind(
+            Scalar,
+            &prepared,
+            &rays,
+            &S::everything(&prepared),
+            &mut bound,
+        );
         (
             S::curvature(Scalar, &prepared, &bound, t).d,
             S::slope(Scalar, &prepared, &bound, t).d,
@@ -93,7 +113,10 @@ struct Random(u64);
 
 impl Random {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
     fn point(&mut self, size: f64) -> [f64; 3] {
@@ -143,7 +166,8 @@ fn disagreements(value: &dyn Sample, derivatives: &dyn Sample) -> usize {
             for other in 0..3 {
                 let middle = |q: [f64; 3]| derivatives.gradient(q.map(point))[1 + axis].mid();
                 let by_difference = difference(|h| middle(moved(p, other, h)));
-                wrong += usize::from(smooth && !agrees(all[second(axis, other)], by_difference, 1e-5));
+                wrong +=
+                    usize::from(smooth && !agrees(all[second(axis, other)], by_difference, 1e-5));
             }
         }
     }
@@ -184,10 +208,20 @@ fn derivatives_along_a_ray_meet_those_in_space() {
                     curvature = plus(curvature, times(space[second(i, j)], d[i] * d[j]));
                 }
             }
-            assert!(meet(three[0], space[0]) && meet(two[0], space[0]) && meet(one, space[0]), "{name}");
-            assert!(meet(widened(three[1]), slope) && meet(widened(two[1]), slope), "{name}: {two:?} {slope:?}");
+            assert!(
+                meet(three[0], space[0]) && meet(two[0], space[0]) && meet(one, space[0]),
+                "{name}"
+            );
+            assert!(
+                meet(widened(three[1]), slope) && meet(widened(two[1]), slope),
+                "{name}: {two:?} {slope:?}"
+            );
             if smooth {
-                assert!(meet(widened(three[2]), curvature), "{name}: {:?} {curvature:?}", three[2]);
+                assert!(
+                    meet(widened(three[2]), curvature),
+                    "{name}: {:?} {curvature:?}",
+                    three[2]
+                );
             }
         }
     });
@@ -199,17 +233,29 @@ fn enclosures_over_boxes_hold_those_at_their_points() {
         let mut random = Random(13);
         for _ in 0..25 {
             let (c, r) = (random.point(1.5), 0.4 * random.next().abs());
-            let b = c.map(|x| Interval { lo: x - r, hi: x + r });
+            let b = c.map(|x| Interval {
+                lo: x - r,
+                hi: x + r,
+            });
             let (wide, smooth) = surface.space(b);
             let (o, d) = (random.point(1.0), random.point(1.0));
-            let t = Interval { lo: 0.3, hi: 0.3 + r };
+            let t = Interval {
+                lo: 0.3,
+                hi: 0.3 + r,
+            };
             let (along, _, _) = surface.along(o, d, t);
             for _ in 0..8 {
-                let p: [f64; 3] = std::array::from_fn(|k| (c[k] + r * random.next()).clamp(b[k].lo, b[k].hi));
+                let p: [f64; 3] =
+                    std::array::from_fn(|k| (c[k] + r * random.next()).clamp(b[k].lo, b[k].hi));
                 let (narrow, _) = surface.space(p.map(point));
                 let orders = if smooth { 10 } else { 4 };
                 for k in 0..orders {
-                    assert!(meet(wide[k], narrow[k]), "{name} {k}: {:?} {:?}", wide[k], narrow[k]);
+                    assert!(
+                        meet(wide[k], narrow[k]),
+                        "{name} {k}: {:?} {:?}",
+                        wide[k],
+                        narrow[k]
+                    );
                 }
                 let s = t.lo + r * 0.5 * (1.0 + random.next());
                 let (one, _, _) = surface.along(o, d, point(s.min(t.hi)));
@@ -224,18 +270,29 @@ fn enclosures_over_boxes_hold_those_at_their_points() {
 /// Room for the roundings of the test's own products.
 fn widened(a: Interval) -> Interval {
     let slack = 1e-12 * (1.0 + a.lo.abs().max(a.hi.abs()));
-    Interval { lo: a.lo - slack, hi: a.hi + slack }
+    Interval {
+        lo: a.lo - slack,
+        hi: a.hi + slack,
+    }
 }
 
 fn plus(a: Interval, b: Interval) -> Interval {
-    Interval { lo: a.lo + b.lo, hi: a.hi + b.hi }
+    Interval {
+        lo: a.lo + b.lo,
+        hi: a.hi + b.hi,
+    }
 }
 
 fn times(a: Interval, c: f64) -> Interval {
     let (p, q) = (a.lo * c, a.hi * c);
-    Interval { lo: p.min(q), hi: p.max(q) }
+    Interval {
+        lo: p.min(q),
+        hi: p.max(q),
+    }
 }
 
 fn dot(a: &[Interval], d: [f64; 3]) -> Interval {
-    a.iter().zip(d).fold(point(0.0), |sum, (a, d)| plus(sum, times(*a, d)))
+    a.iter()
+        .zip(d)
+        .fold(point(0.0), |sum, (a, d)| plus(sum, times(*a, d)))
 }

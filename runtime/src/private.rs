@@ -1,6 +1,8 @@
 //! What generated code names. Nothing here is for users.
 
-pub use crate::interval::{Arithmetic, Interval, Jet, Linear, Packet, Parameter, Quadratic, Undecided};
+pub use crate::interval::{
+    Arithmetic, Interval, Jet, Linear, Packet, Parameter, Quadratic, Undecided,
+};
 pub use crate::ray::Rays;
 pub use crate::surface::{Active, Continuity, ParameterError, Report, Surface};
 pub use std::default::Default;
@@ -44,10 +46,37 @@ pub fn may_be_undefined(flags: &Flags<Scalar>) -> bool {
 }
 
 /// Refuses NaN and infinities.
-pub fn finite(surface: &'static str, field: &'static str, value: f64) -> Result<(), ParameterError> {
+pub fn finite(
+    surface: &'static str,
+    field: &'static str,
+    value: f64,
+) -> Result<(), ParameterError> {
     if value.is_finite() {
         Ok(())
     } else {
-        Err(ParameterError::NotFinite { surface, field, value })
+        Err(ParameterError::NotFinite {
+            surface,
+            field,
+            value,
+        })
+    }
+}
+
+/// Refuses tables that are shorter than the formula's indices.
+pub fn enough_rows(
+    surface: &'static str,
+    field: &'static str,
+    rows: usize,
+    needed: usize,
+) -> Result<(), ParameterError> {
+    if rows >= needed {
+        Ok(())
+    } else {
+        Err(ParameterError::TooFewRows {
+            surface,
+            field,
+            rows,
+            needed,
+        })
     }
 }

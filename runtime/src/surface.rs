@@ -142,12 +142,16 @@ pub enum ParameterError {
         /// The offending value.
         value: f64,
     },
-    /// A minimum or maximum is taken over a table without rows.
-    #[error("table `{field}` of `{surface}` is empty: a minimum or maximum needs at least one row")]
-    EmptyTable {
+    /// A table of run-time length is too short: an index of the formula is outside, or a minimum has no row to take.
+    #[error("table `{field}` of `{surface}` has {rows} rows, and the formula needs at least {needed}")]
+    TooFewRows {
         /// The surface's name.
         surface: &'static str,
         /// The table's name.
         field: &'static str,
+        /// How many rows there are.
+        rows: usize,
+        /// How many the formula needs.
+        needed: usize,
     },
 }

@@ -47,7 +47,9 @@ const RUNS: usize = 9;
 fn main() {
     let camera = Camera::orthographic(DVec3::new(0.0, 0.0, 3.0), DVec3::ZERO, DVec3::Y, 2.0)
         .expect("a camera along the z axis");
-    println!("ns per ray, {SIZE}² rays, one thread, median of {RUNS} interleaved runs (least … most)");
+    println!(
+        "ns per ray, {SIZE}² rays, one thread, median of {RUNS} interleaved runs (least … most)"
+    );
     measure("sphere", &Sphere, &camera);
     measure("torus with sqrt", &Torus::default(), &camera);
     measure("Barth sextic", &Barth, &camera);
@@ -59,7 +61,9 @@ fn main() {
 fn exponentials(terms: usize) -> Exponentials {
     let mut state = 1u64;
     let mut random = move || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
     let mut rows = Vec::new();
@@ -80,8 +84,13 @@ fn exponentials(terms: usize) -> Exponentials {
 }
 
 fn measure<S: Surface + Clone + 'static>(name: &str, surface: &S, camera: &Camera) {
-    let scene = Scene::new().with(surface.clone()).within([-1.0; 3], [1.0; 3]);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
+    let scene = Scene::new()
+        .with(surface.clone())
+        .within([-1.0; 3], [1.0; 3]);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .expect("one thread");
     let paths = Isa::available();
     let mut times = vec![Vec::new(); paths.len() + 1];
     let mut report = Vec::new();
@@ -90,7 +99,9 @@ fn measure<S: Surface + Clone + 'static>(name: &str, surface: &S, camera: &Camer
             let mut options = Options::new(SIZE, SIZE);
             options.isa = Some(isa);
             let start = Instant::now();
-            let picture = pool.install(|| render(&scene, camera, &options)).expect("a valid scene");
+            let picture = pool
+                .install(|| render(&scene, camera, &options))
+                .expect("a valid scene");
             let time = start.elapsed();
             // The first round warms up, and tells what was done.
             if run == 0 {
@@ -120,7 +131,10 @@ fn measure<S: Surface + Clone + 'static>(name: &str, surface: &S, camera: &Camer
                 s.root, s.miss, s.rays - s.root - s.miss
             )
         });
-        println!("  {label:16} {median:8.2} ({least:.2} … {most:.2})  {}", done.unwrap_or_default());
+        println!(
+            "  {label:16} {median:8.2} ({least:.2} … {most:.2})  {}",
+            done.unwrap_or_default()
+        );
     }
 }
 

@@ -307,13 +307,8 @@ fn call(name: &str, arguments: &[TokenStream]) -> Expression {
 fn bounded_by_itself(op: &Op) -> bool {
     match op {
         Op::Power(_, n) => n % 2 == 0,
-        Op::Unary(f, _) => {
-            matches!(
-                f,
-                Function::Abs | Function::Exp | Function::Exp2 | Function::Sqrt | Function::Cosh
-            )
-        }
-        Op::Binary(Function::Hypot | Function::Min | Function::Max, ..) => true,
+        Op::Unary(f, _) => matches!(f, Function::Abs | Function::Exp | Function::Sqrt),
+        Op::Binary(f, ..) => matches!(f, Function::Hypot | Function::Min | Function::Max),
         _ => false,
     }
 }

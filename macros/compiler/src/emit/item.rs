@@ -8,7 +8,7 @@ use crate::front::{Head, HeadField};
 use crate::graph::{Graph, Id, Scope};
 use crate::lower::{Lowering, TooLarge};
 use crate::tree::{Default, Field, Formula, Shape, Term};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::HashMap;
 
@@ -168,32 +168,47 @@ fn default_value(
     }
 }
 
-/// `check`: finite fields, and a row for each `min` and `max` over a table of run-time length.
-pub fn check(graph: &Graph, surface: &str, fields: &[Field], extremes: &[usize]) -> TokenStream {
-    let finite = fields.iter().map(|f| {
+/// `check`: finite fields, and enough rows in tables of run-time length.
+pub fn check(graph: &Graph, root: Id, surface: &str, fields: &[Field]) -> TokenStream {
+    let tests = fields.iter().enumerate().map(|(k, f)| {
         let (name, text) = (&f.name, plain_name(&f.name));
-        let test = finite(quote!(self.#name), &f.shape, surface, &text);
-        quote!(#test)
-    });
-    let rows = extremes.iter().filter_map(|fold| match &graph.folds.get(*fold)?.over {
-        crate::graph::Over::Table(field, indices) if indices.is_empty() => {
-            let name = &fields.get(*field)?.name;
-            let text = plain_name(name);
-            Some(quote! {
-                if self.#name.is_empty() {
-                    return __zeroset::Err(__zeroset::ParameterError::EmptyTable { surface: #surface, field: #text });
-                }
-            })
-        }
-        _ => None,
+        let finite = finite(quote!(self.#name), &f.shape, surface, &text);
+        let needed = super::rows::needed(graph, root, k);
+        let rows = enough_rows(quote!(self.#name), &f.shape, &needed, surface, &text);
+        quote!(#finite #rows)
     });
     quote! {
         fn check(&self) -> __zeroset::Result<(), __zeroset::ParameterError> {
-            #(#finite)*
-            #(#rows)*
+            #(#tests)*
             __zeroset::Ok(())
         }
     }
+}
+
+/// Tests the length of each dimension that is a `Vec` against what the formula's indices need.
+fn enough_rows(
+    place: TokenStream,
+    shape: &Shape,
+    needed: &[usize],
+    surface: &str,
+    field: &str,
+) -> TokenStream {
+    let (Some((first, rest)), Shape::Array(inner, _) | Shape::Vec(inner)) =
+        (needed.split_first(), shape)
+    else {
+        return TokenStream::new();
+    };
+    let below = enough_rows(quote!((*row)), inner, rest, surface, field);
+    let below = if below.is_empty() {
+        below
+    } else {
+        quote!(for row in #place.iter() { #below })
+    };
+    if *first == 0 || matches!(shape, Shape::Array(..)) {
+        return below;
+    }
+    let first = Literal::usize_unsuffixed(*first);
+    quote!(__zeroset::enough_rows(#surface, #field, #place.len(), #first)?; #below)
 }
 
 fn finite(place: TokenStream, shape: &Shape, surface: &str, field: &str) -> TokenStream {

@@ -7,6 +7,7 @@ mod layout;
 mod plain;
 mod polynomial;
 mod report;
+mod rows;
 mod stages;
 mod text;
 
@@ -16,7 +17,7 @@ use crate::front::Head;
 use crate::graph::{Graph, Id, Op};
 use crate::lower::{Lowering, TooLarge};
 use crate::stage::Staged;
-use crate::tree::{FoldKind, Formula};
+use crate::tree::Formula;
 use layout::Layout;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -111,12 +112,7 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
         compiled.layout.prepared_type(),
         compiled.layout.bound_type(),
     );
-    let check = item::check(
-        compiled.graph,
-        surface,
-        &formula.fields,
-        &extremes(compiled.graph, compiled.root),
-    );
+    let check = item::check(compiled.graph, compiled.root, surface, &formula.fields);
     let (domain, at) = (item::domain(formula)?, compiled.at());
     let (prepare, everything, bind) = (compiled.prepare(), compiled.everything(), compiled.bind());
     let segment = [
@@ -167,17 +163,4 @@ fn surface_values(layout: &Layout) -> impl Iterator<Item = Id> {
         .iter()
         .chain(layout.rows.iter().flat_map(|r| r.1.values.iter()))
         .copied()
-}
-
-/// The folds that take a minimum or maximum, which need a row.
-fn extremes(graph: &Graph, root: Id) -> Vec<usize> {
-    let mut all = Vec::new();
-    for id in graph.reachable(&[root], |_| false) {
-        if let Op::Fold(FoldKind::Minimum | FoldKind::Maximum, fold, _) = graph.op(id)
-            && !all.contains(fold)
-        {
-            all.push(*fold);
-        }
-    }
-    all
 }
