@@ -87,37 +87,50 @@ impl Poly {
         )
     }
 
-    /// The remainder of a division, scaled by a positive number to keep it short.
-    fn remainder(&self, by: &Poly) -> Poly {
+    /// Quotient and remainder of a division.
+    fn divide(&self, by: &Poly) -> (Poly, Poly) {
         let mut rest = self.0.clone();
         let lead = by.0.last().expect("a divisor is not 0");
+        let mut quotient = vec![BigRational::zero(); (rest.len() + 1).saturating_sub(by.0.len())];
         while rest.len() >= by.0.len() {
             let shift = rest.len() - by.0.len();
             let factor = rest.last().expect("it is not empty") / lead;
             for (i, b) in by.0.iter().enumerate() {
                 rest[shift + i] -= &factor * b;
             }
-            rest.pop();
+            quotient[shift] = factor;
             while rest.last().is_some_and(Zero::is_zero) {
                 rest.pop();
             }
         }
-        let rest = Poly(rest);
-        match rest.0.last().map(Signed::abs) {
-            Some(scale) => Poly(rest.0.iter().map(|c| c / &scale).collect()),
-            None => rest,
+        (Poly::new(quotient), Poly(rest))
+    }
+
+    /// Scaled by a positive number, to keep its coefficients short.
+    fn scaled(&self) -> Poly {
+        match self.0.last().map(Signed::abs) {
+            Some(scale) => Poly(self.0.iter().map(|c| c / &scale).collect()),
+            None => self.clone(),
         }
     }
 
-    /// Sturm's sequence of a polynomial that is not 0.
-    pub fn sturm(&self) -> Sturm {
-        let mut list = vec![self.clone(), self.derivative()];
+    /// f, f', and the negated remainders: the last one is the greatest common divisor of f and f'.
+    fn remainders(&self) -> Vec<Poly> {
+        let mut list = vec![self.scaled(), self.derivative().scaled()];
         while !list[list.len() - 1].is_zero() {
-            let next = list[list.len() - 2].remainder(&list[list.len() - 1]).neg();
-            list.push(next);
+            let (_, rest) = list[list.len() - 2].divide(&list[list.len() - 1]);
+            list.push(rest.neg().scaled());
         }
         list.pop();
-        Sturm(list)
+        list
+    }
+
+    /// Sturm's sequence of a polynomial that is not 0, after its multiple roots were made simple ones: at a multiple root
+    /// the whole sequence would be 0.
+    pub fn sturm(&self) -> Sturm {
+        let list = self.remainders();
+        let (simple, _) = self.divide(&list[list.len() - 1]);
+        Sturm(simple.remainders())
     }
 }
 

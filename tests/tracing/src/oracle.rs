@@ -42,35 +42,57 @@ pub fn clip(ray: &Ray, domain: &[[f64; 3]; 2]) -> Option<(BigRational, BigRation
     (near <= far).then_some((near, far))
 }
 
-/// What is wrong with an answer about the roots of a polynomial inside a box; nothing if it is right.
-///
-/// Roots within a rounding of the box's faces may be counted as inside.
-pub fn judge(f: &Poly, ray: &Ray, domain: &[[f64; 3]; 2], answer: &Answer) -> Result<(), String> {
-    let Some((near, far)) = clip(ray, domain) else {
-        let outside = answer.first == Verdict::Miss;
-        // A ray that passes the box within a rounding may be searched there.
-        return if outside || answer.first.t().is_some_and(|t| t.width() < 1e-9) {
-            Ok(())
-        } else {
-            Err(format!("a ray beside the box: {:?}", answer.first))
+/// What there is to know about a polynomial along a ray inside a box.
+pub struct Truth {
+    /// The exact first and last parameter inside the box.
+    span: Option<(BigRational, BigRational)>,
+    /// Nothing where the polynomial is 0.
+    roots: Option<Sturm>,
+}
+
+impl Truth {
+    /// Counts the roots of `f` inside a box.
+    pub fn new(f: &Poly, ray: &Ray, domain: &[[f64; 3]; 2]) -> Self {
+        let roots = (!f.is_zero()).then(|| f.sturm());
+        Truth {
+            span: clip(ray, domain),
+            roots,
+        }
+    }
+
+    /// What is wrong with an answer; nothing if it is right.
+    ///
+    /// # Errors
+    /// If it is wrong.
+    pub fn judge(&self, answer: &Answer) -> Result<(), String> {
+        let first = &answer.first;
+        let Some((near, far)) = &self.span else {
+            // A ray that passes the box within a rounding may be searched there.
+            let fine = *first == Verdict::Miss || first.t().is_some_and(|t| t.width() < 1e-9);
+            return if fine {
+                Ok(())
+            } else {
+                Err(format!("a ray beside the box: {first:?}"))
+            };
         };
-    };
-    if f.is_zero() {
-        return match answer.first {
-            Verdict::Unresolved { .. } => Ok(()),
-            other => Err(format!("f is 0 along the ray: {other:?}")),
+        let Some(roots) = &self.roots else {
+            let fine = matches!(first, Verdict::Unresolved { .. });
+            return if fine {
+                Ok(())
+            } else {
+                Err(format!("f is 0 along the ray: {first:?}"))
+            };
         };
+        let entry = rational(answer.entry);
+        if *first != Verdict::Miss && entry > *near {
+            return Err("the entry lies behind the box's face".into());
+        }
+        judge_one(roots, near, far, &entry, first, true)?;
+        match &answer.behind {
+            Some(behind) => judge_one(roots, near, far, &entry, behind, false),
+            None => Ok(()),
+        }
     }
-    let roots = f.sturm();
-    let entry = rational(answer.entry);
-    if entry > near {
-        return Err("the entry lies behind the box's face".into());
-    }
-    judge_one(&roots, &near, &far, &entry, &answer.first, true)?;
-    if let Some(behind) = &answer.behind {
-        judge_one(&roots, &near, &far, &entry, behind, false)?;
-    }
-    Ok(())
 }
 
 fn place(entry: &BigRational, t: &Interval) -> (BigRational, BigRational) {

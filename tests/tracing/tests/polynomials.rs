@@ -6,11 +6,10 @@ use zeroset::contract::{Auto, Bisection, Halley, Newton, Tightened};
 use zeroset::interval::Isa;
 use zeroset::render::{Options, Rendering, render};
 use zeroset::scene::Scene;
-use zeroset::surface::Surface;
 use zeroset_tracing_tests::dual::Hand;
 use zeroset_tracing_tests::exact::Poly;
 use zeroset_tracing_tests::formulas::{DoubleSphere, Sphere, Torus};
-use zeroset_tracing_tests::oracle::{coordinates, judge};
+use zeroset_tracing_tests::oracle::{Truth, coordinates};
 use zeroset_tracing_tests::staged::Ball;
 
 fn sphere(p: &[Poly; 3], r: f64) -> Poly {
@@ -54,95 +53,69 @@ fn options(isa: Isa) -> Options<'static> {
     options
 }
 
-/// Judges every pixel. Returns how many answers are wrong, with the first complaint.
-fn judge_all(
-    picture: &Rendering,
-    camera: &Camera,
-    domain: &[[f64; 3]; 2],
-    f: &dyn Fn(&[Poly; 3]) -> Poly,
-) -> (usize, Option<String>) {
+/// The truth about every pixel, row by row.
+fn truths(camera: &Camera, domain: &[[f64; 3]; 2], f: &dyn Fn(&[Poly; 3]) -> Poly) -> Vec<Truth> {
+    let pixels =
+        (0..SIZE * SIZE).map(|i| camera.ray(i % SIZE, i / SIZE, SIZE, SIZE, Sampling::Corner));
+    pixels
+        .map(|ray| Truth::new(&f(&coordinates(&ray)), &ray, domain))
+        .collect()
+}
+
+/// How many answers are wrong, with the first complaint.
+fn judge_all(picture: &Rendering, truths: &[Truth]) -> (usize, Option<String>) {
     let (mut wrong, mut complaint) = (0, None);
-    for y in 0..SIZE {
-        for x in 0..SIZE {
-            let ray = camera.ray(x, y, SIZE, SIZE, Sampling::Corner);
-            let poly = f(&coordinates(&ray));
-            if let Err(why) = judge(&poly, &ray, domain, &picture.answer(x, y)) {
-                wrong += 1;
-                complaint.get_or_insert_with(|| format!("pixel ({x}, {y}), {ray:?}: {why}"));
-            }
+    for (i, truth) in (0..).zip(truths) {
+        let (x, y) = (i % SIZE, i / SIZE);
+        if let Err(why) = truth.judge(&picture.answer(x, y)) {
+            wrong += 1;
+            complaint.get_or_insert_with(|| format!("pixel ({x}, {y}): {why}"));
         }
     }
     (wrong, complaint)
 }
 
-/// Renders with each camera, on each instruction set, and judges.
+/// Renders with each camera, on each instruction set, by each solver, and judges.
 fn prove(
-    name: &str,
-    scene: &dyn Fn() -> Scene,
+    scenes: &[(&str, Scene)],
     domain: [[f64; 3]; 2],
     size: f64,
     f: &dyn Fn(&[Poly; 3]) -> Poly,
 ) {
-    for isa in Isa::available() {
-        for camera in cameras(size) {
-            let picture = render(&scene(), &camera, &options(isa)).unwrap();
-            let (wrong, complaint) = judge_all(&picture, &camera, &domain, f);
-            assert_eq!(
-                wrong,
-                0,
-                "{name} on {isa}: {}",
-                complaint.unwrap_or_default()
-            );
-            let s = picture.statistics();
-            let open = s.tangent + s.crossing + s.unresolved;
-            assert!(
-                open <= s.rays / 20,
-                "{name} on {isa}: too much is open\n{s}"
-            );
+    for camera in cameras(size) {
+        let truths = truths(&camera, &domain, f);
+        for isa in Isa::available() {
+            for (name, scene) in scenes {
+                let picture = render(scene, &camera, &options(isa)).unwrap();
+                let (wrong, complaint) = judge_all(&picture, &truths);
+                assert_eq!(
+                    wrong,
+                    0,
+                    "{name} on {isa}, {camera:?}: {}",
+                    complaint.unwrap_or_default()
+                );
+                let s = picture.statistics();
+                assert!(
+                    s.tangent + s.unresolved <= s.rays / 20,
+                    "{name} on {isa}: too much is open\n{s}"
+                );
+            }
         }
     }
 }
 
-fn domain<S: Surface>(surface: &S) -> [[f64; 3]; 2] {
-    surface.domain().unwrap()
+/// The same surface by each of these solvers.
+macro_rules! by_solvers {
+    ($surface:expr, $($solver:ident)*) => {
+        [$((stringify!($solver), Scene::new().with_solver::<$solver, _>($surface))),*]
+    };
 }
 
 #[test]
 fn spheres() {
-    for radius in [1.0, 0.7] {
-        let s = Hand::new(Sphere(radius), 2.0);
-        prove("sphere", &|| Scene::new().with(s), domain(&s), 1.0, &|p| {
-            sphere(p, radius)
-        });
-        prove(
-            "newton",
-            &|| Scene::new().with_solver::<Newton, _>(s),
-            domain(&s),
-            1.0,
-            &|p| sphere(p, radius),
-        );
-        prove(
-            "tightened",
-            &|| Scene::new().with_solver::<Tightened, _>(s),
-            domain(&s),
-            1.0,
-            &|p| sphere(p, radius),
-        );
-        prove(
-            "halley",
-            &|| Scene::new().with_solver::<Halley, _>(s),
-            domain(&s),
-            1.0,
-            &|p| sphere(p, radius),
-        );
-        prove(
-            "bisection",
-            &|| Scene::new().with_solver::<Bisection, _>(s),
-            domain(&s),
-            1.0,
-            &|p| sphere(p, radius),
-        );
-    }
+    let s = Hand::new(Sphere(0.7), 2.0);
+    let scenes = by_solvers!(s, Auto Newton Tightened Halley Bisection);
+    prove(&scenes, s.domain, 1.0, &|p| sphere(p, 0.7));
 }
 
 #[test]
@@ -153,8 +126,8 @@ fn spheres_in_closed_form() {
         (7e5, 1e6, 1e6),
         (3e-4, 1e-3, 1e-3),
     ] {
-        let s = Ball { radius, half };
-        prove("ball", &|| Scene::new().with(s), domain(&s), size, &|p| {
+        let scenes = [("ball", Scene::new().with(Ball { radius, half }))];
+        prove(&scenes, [[-half; 3], [half; 3]], size, &|p| {
             sphere(p, radius)
         });
     }
@@ -170,48 +143,22 @@ fn toruses() {
         },
         2.5,
     );
-    let f = |p: &[Poly; 3]| torus(p, 1.5, 0.5);
-    prove(
-        "auto",
-        &|| Scene::new().with_solver::<Auto, _>(s),
-        domain(&s),
-        1.0,
-        &f,
-    );
-    prove(
-        "newton",
-        &|| Scene::new().with_solver::<Newton, _>(s),
-        domain(&s),
-        1.0,
-        &f,
-    );
-    prove(
-        "tightened",
-        &|| Scene::new().with_solver::<Tightened, _>(s),
-        domain(&s),
-        1.0,
-        &f,
-    );
-    prove(
-        "halley",
-        &|| Scene::new().with_solver::<Halley, _>(s),
-        domain(&s),
-        1.0,
-        &f,
-    );
+    let scenes = by_solvers!(s, Auto Newton Tightened Halley);
+    prove(&scenes, s.domain, 1.0, &|p| torus(p, 1.5, 0.5));
 }
 
 #[test]
 fn double_spheres_have_no_certain_hit() {
     let s = Hand::new(DoubleSphere(1.0), 2.0);
     let camera = &cameras(1.0)[0];
+    let f = |p: &[Poly; 3]| {
+        let f = sphere(p, 1.0);
+        f.mul(&f)
+    };
+    let truths = truths(camera, &s.domain, &f);
     for isa in Isa::available() {
         let picture = render(&Scene::new().with(s), camera, &options(isa)).unwrap();
-        let f = |p: &[Poly; 3]| {
-            let f = sphere(p, 1.0);
-            f.mul(&f)
-        };
-        let (wrong, complaint) = judge_all(&picture, camera, &domain(&s), &f);
+        let (wrong, complaint) = judge_all(&picture, &truths);
         assert_eq!(wrong, 0, "{isa}: {}", complaint.unwrap_or_default());
         let statistics = picture.statistics();
         assert_eq!(statistics.root + statistics.crossing, 0, "{statistics}");
@@ -228,7 +175,8 @@ fn wrong_answers_are_caught() {
     };
     let camera = &cameras(1.0)[0];
     let picture = render(&Scene::new().with(s), camera, &options(Isa::available()[0])).unwrap();
-    let (wrong, _) = judge_all(&picture, camera, &domain(&s), &|p| sphere(p, 1.0 + 1e-13));
+    let truths = truths(camera, &[[-2.0; 3], [2.0; 3]], &|p| sphere(p, 1.0 + 1e-13));
+    let (wrong, _) = judge_all(&picture, &truths);
     assert!(wrong > 50, "only {wrong} wrong answers were noticed");
 }
 
@@ -241,7 +189,7 @@ fn without_rounding_answers_are_wrong() {
         let mut wrong = 0;
         for camera in cameras(1.0) {
             let picture = render(&Scene::new().with(s), &camera, &options(isa)).unwrap();
-            wrong += judge_all(&picture, &camera, &domain(&s), &|p| sphere(p, 0.7)).0;
+            wrong += judge_all(&picture, &truths(&camera, &s.domain, &|p| sphere(p, 0.7))).0;
         }
         println!("{isa}: {wrong} wrong answers");
         assert!(wrong > 0, "{isa}: rounding to nearest was not noticed");
