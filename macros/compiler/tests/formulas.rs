@@ -157,3 +157,20 @@ fn evaluate(text: &str) -> i64 {
     let words: Vec<String> = spaced.split_whitespace().map(str::to_owned).collect();
     value(&mut words.into_iter().peekable())
 }
+
+/// The control: a fixture with another tree is told apart from the answer.
+#[test]
+fn wrong_trees_are_refused() {
+    let right = support::text("formulas/grammar.md");
+    assert_eq!(support::answered(&right, tree), right);
+    for (old, new) in [
+        ("(-(x ^ 2))", "((-x) ^ 2)"),
+        ("a#2", "a#0"),
+        ("@1.0", "@0.0"),
+        ("1/1000", "1/100"),
+    ] {
+        let wrong = right.replacen(old, new, 1);
+        assert_ne!(wrong, right, "{old:?}");
+        assert_ne!(support::answered(&wrong, tree), wrong, "{old:?}");
+    }
+}

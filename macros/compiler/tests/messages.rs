@@ -133,3 +133,20 @@ fn messages_keep_the_house_style() {
         }
     }
 }
+
+/// The control: a fixture with a wrong underline, message or help is told apart from the answer.
+#[test]
+fn wrong_fixtures_are_refused() {
+    let right = support::text("errors/names.md");
+    assert_eq!(support::answered(&right, annotate), right);
+    for (old, new) in [
+        ("~~~~~\n", "~~~~\n"),
+        ("    ~~~", "     ~~"),
+        ("cannot find `radus`", "cannot find `radius`"),
+        ("help: the constant is `pi`\n", ""),
+    ] {
+        let wrong = right.replacen(old, new, 1);
+        assert_ne!(wrong, right, "{old:?}");
+        assert_ne!(support::answered(&wrong, annotate), wrong, "{old:?}");
+    }
+}

@@ -211,6 +211,15 @@ fn compiled(input: TokenStream, sound: bool) {
     assert!(!code.is_empty(), "{text}");
 }
 
+/// The control: a formula beside a mistake breaks the laws.
+#[test]
+#[should_panic(expected = "broken")]
+fn lawlessness_is_noticed() {
+    let mut broken = front("struct S; x +".parse().unwrap());
+    broken.formula = front("struct S; x".parse().unwrap()).formula;
+    lawful(&broken, "broken");
+}
+
 #[test]
 fn random_tokens() {
     let mut random = Random(0x2545_f491_4f6c_dd1d);

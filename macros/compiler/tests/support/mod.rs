@@ -36,24 +36,32 @@ fn path(file: &str) -> PathBuf {
 
 /// The cases of a file.
 pub fn cases(file: &str) -> Vec<Case> {
-    split(&std::fs::read_to_string(path(file)).unwrap()).1
+    split(&text(file)).1
+}
+
+/// The text of a file.
+pub fn text(file: &str) -> String {
+    std::fs::read_to_string(path(file)).unwrap()
 }
 
 /// Runs every case of a file through `answer`, which returns a section's text below its heading.
 pub fn check(file: &str, answer: impl Fn(&Case) -> String) {
-    let path = path(file);
-    let text = std::fs::read_to_string(&path).unwrap();
-    let (intro, cases) = split(&text);
-    let mut fresh = intro;
+    let old = text(file);
+    let new = answered(&old, answer);
+    if std::env::var_os("ZEROSET_BLESS").is_some() {
+        std::fs::write(path(file), &new).unwrap();
+    } else if new != old {
+        panic!("{file}: {}", first_difference(&old, &new));
+    }
+}
+
+/// A fixture file with the answers that its cases get now.
+pub fn answered(text: &str, answer: impl Fn(&Case) -> String) -> String {
+    let (mut fresh, cases) = split(text);
     for case in &cases {
         fresh.push_str(&format!("## {}\n\n{}\n", case.name, answer(case)));
     }
-    let fresh = format!("{}\n", fresh.trim_end());
-    if std::env::var_os("ZEROSET_BLESS").is_some() {
-        std::fs::write(&path, &fresh).unwrap();
-    } else if fresh != text {
-        panic!("{file}: {}", first_difference(&text, &fresh));
-    }
+    format!("{}\n", fresh.trim_end())
 }
 
 /// The text before the first section, and the sections.
