@@ -1,42 +1,51 @@
 #!/bin/sh
 # Re-runs the proofs and compares the constants of the code, of Sollya and of the Gappa scripts.
-# Needs sollya and gappa (both are Debian packages).
+# Needs sollya, gappa (both are Debian packages) and python3.
 set -eu
 cd "$(dirname "$0")"
 functions=../src/interval/functions
 failed=0
 
-# prove SCRIPT HALF BOUND: one Gappa script with its placeholders filled in.
+# prove SCRIPT HALF BOUND: one Gappa script, with its placeholders (if it has any) filled in.
 prove() {
     if sed -e "s/@HALF@/$2/" -e "s/@BOUND@/$3/" "$1" | gappa -Wno-dichotomy-failure >/dev/null 2>&1; then
-        echo "proved $1 on $2: $3"
+        echo "proved $1 ${2:+on $2: $3}"
     else
-        echo "FAILED $1 on $2: $3"
+        echo "FAILED $1 ${2:+on $2: $3}"
         failed=1
     fi
 }
 
-# same NAME CODE SCRIPT...: the constants that Sollya prints stand in the code (their bits) and in the Gappa scripts
-# (the coefficients).
+# same NAME SCRIPTS CODE...: the constants that Sollya prints stand in the code (their bits), and the coefficients in one
+# of the Gappa scripts for each way of computing.
 same() {
     name=$1
-    code=$2
+    scripts=$2
     shift 2
     constants=$(sollya "$name.sollya" </dev/null)
     for bits in $(echo "$constants" | grep '^0x'); do
-        grep -q "$bits" "$code" || { echo "FAILED: $bits of $name.sollya is not in $code"; failed=1; }
+        cat "$@" | grep -q "$bits" || { echo "FAILED: $bits of $name.sollya is not in $*"; failed=1; }
     done
-    for literal in $(echo "$constants" | sed -n 's/^Q[0-9]* = //p'); do
-        for script in "$@"; do
-            grep -q "= $literal;" "$script" || { echo "FAILED: $literal of $name.sollya is not in $script"; failed=1; }
+    for way in fused plain; do
+        for literal in $(echo "$constants" | sed -n 's/^[QSC][0-9]* = //p'); do
+            # shellcheck disable=SC2086
+            (for script in $scripts; do cat "${script}_$way.g"; done) | grep -q "= $literal;" ||
+                { echo "FAILED: $literal of $name.sollya is not in $scripts"; failed=1; }
         done
     done
-    echo "compared the constants of $name.sollya, $code, $*"
+    echo "compared the constants of $name.sollya with $scripts, $*"
 }
 
-same exp "$functions/exp.rs" exp_fused.g exp_plain.g
+same exp exp "$functions/exp.rs"
 for script in exp_fused.g exp_plain.g; do
     prove "$script" "[-0.34658, 0]" 4.3e-17
     prove "$script" "[0, 0.34658]" 8e-17
 done
+for wave in sin cos; do
+    for script in "${wave}_fused.g" "${wave}_plain.g"; do
+        prove "$script" "" ""
+    done
+done
+same sincos "sin cos" "$functions/circular.rs" "$functions/remainder.rs"
+python3 remainder.py || failed=1
 exit "$failed"

@@ -165,4 +165,16 @@ pub trait Enclose: Lanes {
     fn i_exp(self, a: Interval<Self::F>) -> Interval<Self::F> {
         functions::exp::exp(self, a)
     }
+
+    /// sin a
+    #[inline(always)]
+    fn i_sin(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::circular::sin(self, a)
+    }
+
+    /// cos a
+    #[inline(always)]
+    fn i_cos(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::circular::cos(self, a)
+    }
 }

@@ -222,15 +222,15 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn sin(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::sin)
+        self.i_sin(a)
     }
     #[inline(always)]
     fn cos(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::cos)
+        self.i_cos(a)
     }
     #[inline(always)]
     fn tan(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        functions::periodic::tan(self, a)
+        functions::circular::tan(self, a)
     }
     #[inline(always)]
     fn asin(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {

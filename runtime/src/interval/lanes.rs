@@ -20,6 +20,8 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
 
     /// How many lanes a vector has: 8 in packets, 1 in scalars.
     const LANES: usize;
+    /// Is `fma_rn` fused, that is, rounded once?
+    const FUSED: bool;
     /// The name that `ZEROSET_ISA` and reports use.
     const NAME: &'static str;
     /// False in the back-ends that exist for negative controls: their bounds are rounded to nearest.

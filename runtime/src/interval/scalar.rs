@@ -113,6 +113,7 @@ impl Lanes for Scalar {
     type F = f64;
     type M = bool;
     const LANES: usize = 1;
+    const FUSED: bool = true;
     const NAME: &'static str = "scalar";
     const DIRECTED: bool = true;
     const OPTIMAL: bool = true;

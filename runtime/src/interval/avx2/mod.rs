@@ -127,6 +127,7 @@ impl<R: Rounding> Lanes for Avx2<R> {
     type F = Pair;
     type M = Pair;
     const LANES: usize = 8;
+    const FUSED: bool = true;
     const NAME: &'static str = if R::ON { "avx2" } else { "avx2-unrounded" };
     const DIRECTED: bool = R::ON;
     const OPTIMAL: bool = false;

@@ -58,6 +58,7 @@ impl<R: Rounding> Lanes for Avx512<R> {
     type F = __m512d;
     type M = __mmask8;
     const LANES: usize = 8;
+    const FUSED: bool = true;
     const NAME: &'static str = if R::ON { "avx512" } else { "avx512-unrounded" };
     const DIRECTED: bool = R::ON;
     const OPTIMAL: bool = true;

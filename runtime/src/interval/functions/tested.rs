@@ -4,7 +4,6 @@
 //! the function is known to have. Domains and monotone pieces are exact. See [`UNPROVED`](super::UNPROVED).
 
 use super::super::{Interval, Lanes};
-use super::periodic;
 
 /// Units in the last place by which a library result is widened on each side.
 const STEPS: u32 = 4;
@@ -168,15 +167,6 @@ pub fn ln_1p(a: Interval, steps: u32) -> Interval {
             y.hi
         },
     }
-}
-
-/// sin a
-pub fn sin(a: Interval, steps: u32) -> Interval {
-    periodic::wave(a, steps, f64::sin, 0.25)
-}
-/// cos a
-pub fn cos(a: Interval, steps: u32) -> Interval {
-    periodic::wave(a, steps, f64::cos, 0.0)
 }
 
 /// The part of `a` in [least, greatest], or the nearest point of it if there is none.

@@ -91,6 +91,7 @@ impl<R: Rounding> Lanes for Portable<R> {
     type F = F;
     type M = M;
     const LANES: usize = 8;
+    const FUSED: bool = false;
     const NAME: &'static str = if R::ON {
         "portable"
     } else {
@@ -335,6 +336,8 @@ impl<R: Rounding> Enclose for Portable<R> {
         i_mul(a: Interval<F>, b: Interval<F>) = mul;
         i_powi(a: Interval<F>, n: u32) = functions::power::powi;
         i_exp(a: Interval<F>) = functions::exp::exp;
+        i_sin(a: Interval<F>) = functions::circular::sin;
+        i_cos(a: Interval<F>) = functions::circular::cos;
     }
 }
 

@@ -1,0 +1,223 @@
+//! sin, cos and tan on packets: a reduction by π/2, two polynomials, proved; extrema and poles counted exactly.
+//!
+//! With k = ⌊x·2/π⌉, x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ ulp(r)/2 (see [`reduce`]). For r ≥ 0 in doubles,
+//!
+//! * sin: v = r + (r·t + ρ′), t = r²·s(r²), ρ′ = ρ·(1 − r²/2);
+//! * cos: v = w + d, w = 1 − r²/2, d = r⁴·c(r²) + (((1 − w) − r²/2) − r·ρ).
+//!
+//! Errors, besides half a unit of the last sum (`runtime/proofs`: `sincos.sollya`, `sin_*.g`, `cos_*.g`), u = 2⁻⁵³:
+//!
+//! * sin, as multiples of u·r: 0.28 of t (0.32 without fused operations), 0.104 for rounding r·t + ρ′ with
+//!   |t| ≤ 0.104 (twice that without fused operations), 0.035 of the polynomial, 0.017 of ρ′ for ρ·cos r. Together below
+//!   0.45 with fused operations, below 0.6 without. A unit in the last place of v is at least u·v ≥ 0.9·u·r, so v errs by
+//!   less than one unit with fused operations and less than two without. Where v is a power of two, the neighbour below
+//!   is only u·v away, and then the last sum errs by half of that at most.
+//! * cos, as multiples of u: 0.33 of the sum before its last rounding, 0.04 of r·ρ for ρ·sin r, 0.001 of the polynomial;
+//!   doubles in [½, 1] are u apart, so v errs by less than one unit.
+//!
+//! So the neighbours of v (the second neighbours without fused operations) enclose a point. The proofs are for the
+//! quarter-wave; signs and the swap of sin and cos are exact.
+
+use super::super::{Flags, Interval, Lanes};
+use super::remainder::{Reduced, reduce};
+
+/// s, from the constant coefficient on.
+const S: [u64; 6] = [
+    0xbfc5555555555549,
+    0x3f8111111110f8a5,
+    0xbf2a01a019c15d7d,
+    0x3ec71de357ac8440,
+    0xbe5ae5e684b6c3b1,
+    0x3de5d93879cc78c5,
+];
+/// c, from the constant coefficient on.
+const C: [u64; 6] = [
+    0x3fa555555555554c,
+    0xbf56c16c16c15221,
+    0x3efa01a019cbfa22,
+    0xbe927e4f812e2833,
+    0x3e21ee9f16b96c82,
+    0xbda8fb13a797c552,
+];
+
+/// Lower and upper bounds at one point per lane, and n, the number of odd multiples of π/2 below it (up to a constant
+/// that is a multiple of 4). Between a and b lie n(b) − n(a) of them: extrema of the sine, poles of the tangent.
+struct Point<P: Lanes> {
+    value: Interval<P::F>,
+    n: P::F,
+}
+
+/// sin a
+#[inline(always)]
+pub fn sin<P: Lanes>(p: P, a: Interval<P::F>) -> Interval<P::F> {
+    wave(p, a, 0.0)
+}
+
+/// cos a = sin(a + π/2)
+#[inline(always)]
+pub fn cos<P: Lanes>(p: P, a: Interval<P::F>) -> Interval<P::F> {
+    wave(p, a, 1.0)
+}
+
+/// The sine of a + `quarters`·π/2.
+#[inline(always)]
+fn wave<P: Lanes>(p: P, a: Interval<P::F>, quarters: f64) -> Interval<P::F> {
+    let start = sine_at(p, a.lo, quarters);
+    let end = sine_at(p, a.hi, quarters);
+    let (one, minus, two) = (p.splat(1.0), p.splat(-1.0), p.splat(2.0));
+    // How many extrema lie between, modulo 4: never more than 2 unless the segment is about a period wide or wider.
+    let count = modulo(p, p.sub_rn(end.n, start.n), 4.0);
+    let wide = p.le(p.splat(6.283185), p.sub_ru(a.hi, a.lo));
+    let both = p.or(wide, p.le(two, count));
+    let single = p.eq(count, one);
+    // The last extremum before b is a maximum if its number is odd: the first one above 0 is π/2.
+    let odd = p.eq(modulo(p, end.n, 2.0), one);
+    let has_max = p.or(both, p.and(single, odd));
+    let has_min = p.or(both, p.and_not(single, odd));
+    Interval {
+        lo: p.select(has_min, minus, p.min_f(start.value.lo, end.value.lo)),
+        hi: p.select(has_max, one, p.max_f(start.value.hi, end.value.hi)),
+    }
+}
+
+/// tan a: increasing between its poles; the line, *undefined*, across one.
+#[inline(always)]
+pub fn tan<P: Lanes>(p: P, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
+    let start = tangent_at(p, a.lo);
+    let end = tangent_at(p, a.hi);
+    let count = modulo(p, p.sub_rn(end.n, start.n), 4.0);
+    let wide = p.le(p.splat(3.141592), p.sub_ru(a.hi, a.lo));
+    let pole = p.or(wide, p.lt(p.splat(0.0), count));
+    let range = Interval {
+        lo: p.select(pole, p.splat(f64::NEG_INFINITY), start.value.lo),
+        hi: p.select(pole, p.splat(f64::INFINITY), end.value.hi),
+    };
+    (
+        range,
+        Flags {
+            undefined: pole,
+            ..Flags::none(p)
+        },
+    )
+}
+
+/// x modulo m for whole x.
+#[inline(always)]
+fn modulo<P: Lanes>(p: P, x: P::F, m: f64) -> P::F {
+    p.sub_rn(
+        x,
+        p.mul_rn(p.splat(m), p.floor_f(p.mul_rn(x, p.splat(1.0 / m)))),
+    )
+}
+
+/// n for x = k·π/2 + r: ⌊k/2⌋, and one more if k is odd and r ≥ 0.
+#[inline(always)]
+fn odd_multiples_below<P: Lanes>(p: P, k: P::F, negative: P::M) -> P::F {
+    let k = p.select(negative, k, p.add_rn(k, p.splat(1.0)));
+    p.floor_f(p.mul_rn(k, p.splat(0.5)))
+}
+
+/// The sine of x + `quarters`·π/2.
+#[inline(always)]
+fn sine_at<P: Lanes>(p: P, x: P::F, quarters: f64) -> Point<P> {
+    let reduced = reduce(p, x);
+    let k = p.add_rn(reduced.k, p.splat(quarters));
+    let negative = p.lt(reduced.r, p.splat(0.0));
+    let quadrant = modulo(p, k, 4.0);
+    let back = p.le(p.splat(2.0), quadrant);
+    let cosine = p.eq(modulo(p, quadrant, 2.0), p.splat(1.0));
+    let (s, c) = quarter_wave(p, reduced, negative);
+    let m = p.select(cosine, c, s);
+    // sin(r) is odd, cos(r) even.
+    let flip = exclusive(p, back, p.and_not(negative, cosine));
+    Point {
+        value: signed(p, around(p, m), flip),
+        n: odd_multiples_below(p, k, negative),
+    }
+}
+
+/// The tangent: sin/cos, or −cos/sin in odd quadrants.
+#[inline(always)]
+fn tangent_at<P: Lanes>(p: P, x: P::F) -> Point<P> {
+    let reduced = reduce(p, x);
+    let k = reduced.k;
+    let negative = p.lt(reduced.r, p.splat(0.0));
+    let swap = p.eq(modulo(p, k, 2.0), p.splat(1.0));
+    let (s, c) = quarter_wave(p, reduced, negative);
+    let (s, c) = (around(p, s), around(p, c));
+    let num = select(p, swap, c, s);
+    let den = select(p, swap, s, c);
+    // No double but 0 is a multiple of π/2, so a divisor is positive.
+    let quotient = Interval {
+        lo: p.max_f(p.div_rd(num.lo, den.hi), p.splat(0.0)),
+        hi: p.div_ru(num.hi, den.lo),
+    };
+    Point {
+        value: signed(p, quotient, exclusive(p, swap, negative)),
+        n: odd_multiples_below(p, k, negative),
+    }
+}
+
+/// Near sin |r + ρ| and cos(r + ρ).
+#[inline(always)]
+fn quarter_wave<P: Lanes>(p: P, reduced: Reduced<P::F>, negative: P::M) -> (P::F, P::F) {
+    let r = p.abs_f(reduced.r);
+    let rho = p.select(negative, p.neg_f(reduced.rho), reduced.rho);
+    let z = p.mul_rn(r, r);
+    let h = p.mul_rn(z, p.splat(0.5));
+    let t = p.mul_rn(z, horner(p, z, S));
+    let tail = p.sub_rn(rho, p.mul_rn(rho, h));
+    let sine = p.add_rn(r, p.fma_rn(t, r, tail));
+    let one = p.splat(1.0);
+    let w = p.sub_rn(one, h);
+    let rest = p.sub_rn(p.sub_rn(p.sub_rn(one, w), h), p.mul_rn(r, rho));
+    let cosine = p.add_rn(w, p.fma_rn(p.mul_rn(z, z), horner(p, z, C), rest));
+    (sine, cosine)
+}
+
+#[inline(always)]
+fn horner<P: Lanes>(p: P, z: P::F, coefficients: [u64; 6]) -> P::F {
+    let mut q = p.splat(f64::from_bits(coefficients[5]));
+    let mut i = 5;
+    while i > 0 {
+        i -= 1;
+        q = p.fma_rn(z, q, p.splat(f64::from_bits(coefficients[i])));
+    }
+    q
+}
+
+/// The neighbours of m ∈ [0, 1], cut to [0, 1].
+#[inline(always)]
+fn around<P: Lanes>(p: P, m: P::F) -> Interval<P::F> {
+    let (mut lo, mut hi) = (p.before(m), p.after(m));
+    if !P::FUSED {
+        (lo, hi) = (p.before(lo), p.after(hi));
+    }
+    // Before 0 are the NaNs (its bits less one), which the maximum drops.
+    Interval {
+        lo: p.max_f(lo, p.splat(0.0)),
+        hi: p.min_f(hi, p.splat(1.0)),
+    }
+}
+
+#[inline(always)]
+fn exclusive<P: Lanes>(p: P, a: P::M, b: P::M) -> P::M {
+    p.or(p.and_not(a, b), p.and_not(b, a))
+}
+
+#[inline(always)]
+fn select<P: Lanes>(p: P, mask: P::M, yes: Interval<P::F>, no: Interval<P::F>) -> Interval<P::F> {
+    Interval {
+        lo: p.select(mask, yes.lo, no.lo),
+        hi: p.select(mask, yes.hi, no.hi),
+    }
+}
+
+/// −a where `negate` is set.
+#[inline(always)]
+fn signed<P: Lanes>(p: P, a: Interval<P::F>, negate: P::M) -> Interval<P::F> {
+    Interval {
+        lo: p.select(negate, p.neg_f(a.hi), a.lo),
+        hi: p.select(negate, p.neg_f(a.lo), a.hi),
+    }
+}
