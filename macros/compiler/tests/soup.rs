@@ -237,6 +237,10 @@ fn random_tokens() {
 
 #[test]
 fn mutated_formulas() {
+    on_rustc_stack(mutate);
+}
+
+fn mutate() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut sound, mut total) = (0, 0);
     for file in [
@@ -387,8 +391,12 @@ fn long_formulas_compile() {
         for source in [
             format!("struct S; y{powers}"),
             format!("struct S; let a = x; {} a", "let a = a*a + y; ".repeat(300)),
-            format!("struct S; let a = x; {} a", "let a = a + y; ".repeat(3000)),
+            format!("struct S; let a = x; {} a", "let a = a + y; ".repeat(1000)),
             format!("struct S; {}x{}", "sin(".repeat(250), ")".repeat(250)),
+            format!(
+                "struct S; let a = x; {} a",
+                format!("let a = {}a{};", "sin(".repeat(200), ")".repeat(200)).repeat(10)
+            ),
             format!("struct S; {}x{}", "(1 + ".repeat(120), ")^2".repeat(120)),
             format!("struct S; {} {{ x }}", "if x > 0 { y } else ".repeat(80)),
         ] {

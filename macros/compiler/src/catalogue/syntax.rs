@@ -57,6 +57,9 @@ messages! {
     pattern() "expected a name or `_`";
     /// `x.length`
     member(name: &str) "a number has no member `{name}`" => "a method is called with brackets: `x.sin()`";
+    /// 2,000 `let`s, each made of the one before.
+    lets_too_deep(most: u32) "the `let`s up to here are nested deeper than {most} levels"
+        => "fold over a range or a table";
     /// 300 brackets.
     too_deep(most: u16) "this formula is nested deeper than {most} levels" => "name parts of it with `let`";
 }

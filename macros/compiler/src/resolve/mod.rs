@@ -12,7 +12,7 @@ mod scope;
 mod table;
 
 use crate::ast::{Body, Expr, Input, Name};
-use crate::catalogue::shapes;
+use crate::catalogue::{shapes, syntax};
 use crate::diagnostic::Diagnostics;
 use crate::tree::{self, Formula, Term, TermKind};
 use num_rational::BigRational;
@@ -34,6 +34,7 @@ pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
         folds: Vec::new(),
         scope: Scope::default(),
         declared: HashSet::new(),
+        deepest: 0,
         entries: 0,
     };
     let mut formula = Formula {
@@ -96,7 +97,12 @@ struct Value {
 struct Fact {
     constant: Option<BigRational>,
     moves: bool,
+    /// Height of its tree with every `let` written out.
+    depth: u32,
 }
+
+/// The greatest height of a formula with every `let` written out. Later passes recurse over it.
+const MOST_DEPTH: u32 = 2048;
 
 /// The state of the resolution. Every method that returns `None` has reported why.
 struct Resolver<'a> {
@@ -114,6 +120,8 @@ struct Resolver<'a> {
     scope: Scope,
     /// Every name that is declared anywhere in the formula.
     declared: HashSet<String>,
+    /// The greatest depth among the `let`s that the present expression uses.
+    deepest: u32,
     /// Entries of default lists so far.
     entries: usize,
 }
@@ -163,7 +171,10 @@ impl Resolver<'_> {
     /// The `let`s of a body, which stay in scope.
     fn bindings(&mut self, body: &Body) {
         for binding in &body.lets {
+            let outer = std::mem::take(&mut self.deepest);
             let value = self.value(&binding.value);
+            let depth = self.depth(&binding.value);
+            self.deepest = outer;
             let Some(name) = &binding.name else { continue };
             if !binding.written {
                 // It was told that it lacks its `let`.
@@ -176,18 +187,30 @@ impl Resolver<'_> {
                 continue;
             }
             match value {
-                Some(value) => self.bind(name, value),
+                Some(value) => self.bind(name, value, depth),
                 None => self.scope.declare(&name.text, scope::Meaning::Mistake),
             }
         }
     }
 
-    fn bind(&mut self, name: &Name, value: Value) {
+    /// The depth of an expression that was resolved just now.
+    fn depth(&mut self, expr: &Expr) -> u32 {
+        let depth = self.deepest.saturating_add(u32::from(expr.height));
+        if depth <= MOST_DEPTH {
+            return depth;
+        }
+        self.diagnostics
+            .push(syntax::lets_too_deep(expr.place, MOST_DEPTH));
+        0
+    }
+
+    fn bind(&mut self, name: &Name, value: Value, depth: u32) {
         self.scope
             .declare(&name.text, scope::Meaning::Let(self.lets.len()));
         self.facts.push(Fact {
             constant: value.constant,
             moves: value.moves,
+            depth,
         });
         self.lets.push(tree::Let {
             name: name.ident.clone(),

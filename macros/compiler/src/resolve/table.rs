@@ -96,6 +96,7 @@ impl Resolver<'_> {
             Some(Found::Field(field)) => return self.field(expr, field, ident),
             Some(Found::Declared(Meaning::Let(index))) => {
                 let fact = self.facts.get(index)?;
+                self.deepest = self.deepest.max(fact.depth);
                 moves = fact.moves;
                 constant = fact.constant.clone();
                 TermKind::Let(index, ident)
