@@ -111,7 +111,7 @@ impl Parser<'_> {
             Some(TokenKind::Word(_)) if cursor.operator(1) == ":" => false,
             Some(TokenKind::Word(word)) => !matches!(
                 word.to_string().as_str(),
-                "in" | "else" | "let" | "for" | "as"
+                "in" | "else" | "let" | "for" | "as" | "pub"
             ),
             Some(TokenKind::Literal(_)) => true,
             Some(TokenKind::Group(group)) => group.delimiter() != Delimiter::Brace,

@@ -177,7 +177,8 @@ impl Parser<'_> {
             return;
         };
         self.report(head::field_end(cursor.place(), &text));
-        if cursor.operator(1) != ":" {
+        let field = cursor.operator(1) == ":" || cursor.at_word("pub") || cursor.operator(0) == "#";
+        if !field {
             cursor.skip_to(&[","]);
             cursor.eat(",");
         }
