@@ -27,7 +27,7 @@ same() {
         cat "$@" | grep -q "$bits" || { echo "FAILED: $bits of $name.sollya is not in $*"; failed=1; }
     done
     for way in fused plain; do
-        for literal in $(echo "$constants" | sed -n 's/^[QSC][0-9]* = //p'); do
+        for literal in $(echo "$constants" | sed -n 's/^[QSCL][0-9]* = //p'); do
             # shellcheck disable=SC2086
             (for script in $scripts; do cat "${script}_$way.g"; done) | grep -q "= $literal;" ||
                 { echo "FAILED: $literal of $name.sollya is not in $scripts"; failed=1; }
@@ -47,5 +47,10 @@ for wave in sin cos; do
     done
 done
 same sincos "sin cos" "$functions/circular.rs" "$functions/remainder.rs"
+same ln ln "$functions/ln.rs"
+prove ln_fused.g "[1b-53, 0.33334]" 7.2e-16
+prove ln_fused.g "[-0.33334, -1b-53]" 6.1e-16
+prove ln_plain.g "[1b-53, 0.33334]" 1e-15
+prove ln_plain.g "[-0.33334, -1b-53]" 1e-15
 python3 remainder.py || failed=1
 exit "$failed"

@@ -177,4 +177,10 @@ pub trait Enclose: Lanes {
     fn i_cos(self, a: Interval<Self::F>) -> Interval<Self::F> {
         functions::circular::cos(self, a)
     }
+
+    /// ln a over a > 0; the line where there is no such number
+    #[inline(always)]
+    fn i_ln(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::ln::ln(self, a)
+    }
 }

@@ -194,10 +194,7 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn ln(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            tested::per_lane(self, a, tested::ln),
-            functions::domain::above(self, a, 0.0),
-        )
+        (self.i_ln(a), functions::domain::above(self, a, 0.0))
     }
     #[inline(always)]
     fn ln_1p(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {

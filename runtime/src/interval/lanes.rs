@@ -106,6 +106,9 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
         let half = self.pow2(self.sub_rn(n, self.splat(1.0)));
         self.mul_rn(self.add_rn(v, v), half)
     }
+    /// (m, e) with x = m·2ᵉ exactly, e a whole number and m ∈ [⅔, 4⁄3) to a unit in the last place, for a positive normal
+    /// x; anything else gives garbage.
+    fn decompose(self, x: Self::F) -> (Self::F, Self::F);
     /// The number before a positive normal one; the same number where rounding is off.
     fn before(self, a: Self::F) -> Self::F;
     /// The number after a positive normal one, +∞ after MAX; the same number where rounding is off.
@@ -173,6 +176,27 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// An upper bound of a·b + c, as tight as [`fma_rd`](Self::fma_rd).
     fn fma_ru(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
 }
+
+/// [`Lanes::decompose`] of one number. The bits of x less those of ⅔ hold, above the lowest 52, the exponent that brings
+/// x to [⅔, 4⁄3): every such interval starts at ⅔·2ᵉ, whose bits differ from those of ⅔ in the exponent alone.
+#[inline(always)]
+pub(super) fn decompose(x: f64) -> (f64, f64) {
+    let shifted = x
+        .to_bits()
+        .wrapping_sub(TWO_THIRDS)
+        .wrapping_add(1023 << 52);
+    let biased = shifted >> 52;
+    let m = f64::from_bits(
+        x.to_bits()
+            .wrapping_sub((biased << 52).wrapping_sub(1023 << 52)),
+    );
+    // A whole number below 2⁵² in the low bits of 2⁵².
+    let e = f64::from_bits(biased | 0x4330_0000_0000_0000) - (4_503_599_627_370_496.0 + 1023.0);
+    (m, e)
+}
+
+/// The bits of ⅔.
+pub(super) const TWO_THIRDS: u64 = 0x3fe5_5555_5555_5555;
 
 /// A piece of work that is written once and compiled for each instruction set.
 pub trait Kernel {

@@ -1,6 +1,7 @@
 //! One `f64` at a time, with optimal directed rounding: the surface stage and the tests.
 
 use super::enclose::Enclose;
+use super::lanes::decompose;
 use super::sealed::Sealed;
 use super::{Kernel, Lanes, Routine};
 
@@ -210,6 +211,9 @@ impl Lanes for Scalar {
         f64::from_bits(((n as i64 + 1023) as u64) << 52)
     }
 
+    fn decompose(self, x: f64) -> (f64, f64) {
+        decompose(x)
+    }
     fn before(self, a: f64) -> f64 {
         a.next_down()
     }

@@ -17,7 +17,7 @@ fn promised(name: &str) -> u64 {
     match name {
         "exp" => 2,
         // Two units on either side without fused operations.
-        "sin" | "cos" => 4,
+        "sin" | "cos" | "ln" => 4,
         // A quotient of two of them.
         "tan" => 14,
         _ => 12,

@@ -4,6 +4,7 @@ use std::arch::x86_64::*;
 use std::marker::PhantomData;
 
 use super::enclose::Enclose;
+use super::lanes::TWO_THIRDS;
 use super::sealed::Sealed;
 use super::{Directed, Interval, Kernel, Lanes, Rounding, Routine};
 
@@ -63,6 +64,25 @@ fn call_routine<R: Rounding, T: Routine<Avx2<R>>>(p: Avx2<R>, routine: T) -> T::
 }
 
 impl<R: Rounding> Avx2<R> {
+    /// [`Lanes::decompose`] of four lanes.
+    #[inline(always)]
+    fn decompose_half(self, x: __m256d) -> (__m256d, __m256d) {
+        cpu!({
+            let bits = _mm256_castpd_si256(x);
+            let one = _mm256_set1_epi64x(1023 << 52);
+            let offset = _mm256_set1_epi64x(TWO_THIRDS as i64 - (1023 << 52));
+            let biased = _mm256_srli_epi64::<52>(_mm256_sub_epi64(bits, offset));
+            let scale = _mm256_sub_epi64(_mm256_slli_epi64::<52>(biased), one);
+            let whole =
+                _mm256_castsi256_pd(_mm256_or_si256(biased, _mm256_set1_epi64x(0x4330 << 48)));
+            let shift = _mm256_set1_pd(4_503_599_627_370_496.0 + 1023.0);
+            (
+                _mm256_castsi256_pd(_mm256_sub_epi64(bits, scale)),
+                _mm256_sub_pd(whole, shift),
+            )
+        })
+    }
+
     /// The bits of `a` plus `steps`: as many doubles further on, for positive numbers.
     #[inline(always)]
     fn moved(self, a: Pair, steps: i64) -> Pair {
@@ -286,6 +306,12 @@ impl<R: Rounding> Lanes for Avx2<R> {
         self.and(both!(_mm256_cmp_pd::<_CMP_ORD_Q>(a, a)), a)
     }
 
+    /// See the function of this name beside the trait.
+    #[inline(always)]
+    fn decompose(self, x: Pair) -> (Pair, Pair) {
+        let (a, b) = (self.decompose_half(x.0), self.decompose_half(x.1));
+        (Pair(a.0, b.0), Pair(a.1, b.1))
+    }
     #[inline(always)]
     fn before(self, a: Pair) -> Pair {
         self.moved(a, -(R::ON as i64))

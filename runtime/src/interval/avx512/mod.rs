@@ -4,6 +4,7 @@ use std::arch::x86_64::*;
 use std::marker::PhantomData;
 
 use super::enclose::Enclose;
+use super::lanes::TWO_THIRDS;
 use super::sealed::Sealed;
 use super::{Directed, Interval, Kernel, Lanes, Rounding, Routine};
 
@@ -197,6 +198,24 @@ impl<R: Rounding> Lanes for Avx512<R> {
     #[inline(always)]
     fn scale(self, v: __m512d, n: __m512d) -> __m512d {
         cpu!(_mm512_scalef_pd(v, n))
+    }
+    /// See the function of this name beside the trait.
+    #[inline(always)]
+    fn decompose(self, x: __m512d) -> (__m512d, __m512d) {
+        cpu!({
+            let bits = _mm512_castpd_si512(x);
+            let one = _mm512_set1_epi64(1023 << 52);
+            let offset = _mm512_set1_epi64(TWO_THIRDS as i64 - (1023 << 52));
+            let biased = _mm512_srli_epi64::<52>(_mm512_sub_epi64(bits, offset));
+            let scale = _mm512_sub_epi64(_mm512_slli_epi64::<52>(biased), one);
+            let whole =
+                _mm512_castsi512_pd(_mm512_or_si512(biased, _mm512_set1_epi64(0x4330 << 48)));
+            let shift = _mm512_set1_pd(4_503_599_627_370_496.0 + 1023.0);
+            (
+                _mm512_castsi512_pd(_mm512_sub_epi64(bits, scale)),
+                _mm512_sub_pd(whole, shift),
+            )
+        })
     }
     #[inline(always)]
     fn before(self, a: __m512d) -> __m512d {

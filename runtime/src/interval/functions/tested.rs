@@ -144,10 +144,6 @@ fn logarithm(a: Interval, steps: u32, f: fn(f64) -> f64, pole: f64) -> Interval 
     }
 }
 
-/// ln a
-pub fn ln(a: Interval, steps: u32) -> Interval {
-    logarithm(a, steps, f64::ln, 0.0)
-}
 /// log₂ a
 pub fn log2(a: Interval, steps: u32) -> Interval {
     logarithm(a, steps, f64::log2, 0.0)

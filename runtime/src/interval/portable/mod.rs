@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 
 use super::enclose::Enclose;
 use super::functions;
+use super::lanes::decompose;
 use super::sealed::Sealed;
 use super::{Directed, Interval, Kernel, Lanes, Rounding, Routine};
 
@@ -247,6 +248,16 @@ impl<R: Rounding> Lanes for Portable<R> {
     }
 
     #[inline(always)]
+    fn decompose(self, x: F) -> (F, F) {
+        let (mut m, mut e) = ([0.0; 8], [0.0; 8]);
+        let mut i = 0;
+        while i < 8 {
+            (m[i], e[i]) = decompose(x[i]);
+            i += 1;
+        }
+        (m, e)
+    }
+    #[inline(always)]
     fn before(self, a: F) -> F {
         map!(i => f64::from_bits(a[i].to_bits().wrapping_sub(R::ON as u64)))
     }
@@ -336,6 +347,7 @@ impl<R: Rounding> Enclose for Portable<R> {
         i_mul(a: Interval<F>, b: Interval<F>) = mul;
         i_powi(a: Interval<F>, n: u32) = functions::power::powi;
         i_exp(a: Interval<F>) = functions::exp::exp;
+        i_ln(a: Interval<F>) = functions::ln::ln;
         i_sin(a: Interval<F>) = functions::circular::sin;
         i_cos(a: Interval<F>) = functions::circular::cos;
     }
