@@ -1,4 +1,39 @@
-//! Certified rendering of implicit surfaces.
+//! Implicit surfaces f(x, y, z) = 0, rendered with proofs.
+//!
+//! [`implicit!`] compiles a formula to code that encloses f and its derivatives over pieces of rays, in outward-rounded
+//! interval arithmetic. [`render`](fn@render) looks for the first root of each ray with that code. Every pixel comes with
+//! a [`Verdict`](verdict::Verdict): nothing there; exactly one root in this interval, and nothing before it; a tangency; or
+//! not decided, and said so.
+//!
+//! ```
+//! use zeroset::glam::{DVec3, dvec3};
+//! use zeroset::{Camera, Options, Scene, Shading, implicit, render};
+//!
+//! implicit! { pub struct Ball; x^2 + y^2 + z^2 = 1 }
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let scene = Scene::new().with(Ball).within([-1.5; 3], [1.5; 3]);
+//! let camera = Camera::perspective(dvec3(3.0, 2.0, 1.0), DVec3::ZERO, DVec3::Z, 40.0)?;
+//! let picture = render(&scene, &camera, &Options::new(64, 64))?;
+//! # let folder = std::env::temp_dir();
+//! picture.image(&Shading::default()).save(folder.join("ball.png"))?;
+//! assert_eq!(picture.statistics().unresolved, 0);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Should you use it? Yes, if a hole in the surface, or a root that is not there, would be a mistake; or if you want a
+//! picture from one line. Not if you need textures, global illumination or an interactive viewer.
+//!
+//! # Where things are
+//!
+//! - [`implicit!`] and [`Surface`]: formulas.
+//! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
+//! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
+//! - [`interval`]: intervals, packets, back-ends, for those who want to look below.
+//!
+//! Generated code is compiled in your crate: without optimisation it is 100 times slower. Put `opt-level = 1` under
+//! `[profile.dev]`.
 
 #[doc(hidden)]
 #[path = "private.rs"]
@@ -15,10 +50,17 @@ pub mod surface;
 mod trace;
 pub mod verdict;
 
+pub use camera::Camera;
+pub use glam;
+pub use render::{Options, Rendering, render};
+pub use scene::Scene;
+pub use shade::Shading;
+pub use surface::Surface;
+
 /// Compiles an implicit surface f(x, y, z) = 0 from its formula.
 ///
 /// ```
-/// use zeroset::{implicit, surface::Surface};
+/// use zeroset::{Surface, implicit};
 ///
 /// implicit! { pub struct Sphere; x^2 + y^2 + z^2 = 1 }
 /// assert_eq!(Sphere.at([2.0, 0.0, 0.0]), 3.0);
