@@ -12,9 +12,9 @@ mod tightened;
 
 pub use auto::Auto;
 pub use bisection::Bisection;
-pub use halley::Halley;
-pub use newton::Newton;
-pub use tightened::Tightened;
+pub use halley::{Halley, step as halley_step};
+pub use newton::{Newton, step as newton_step};
+pub use tightened::{Tightened, slope_over as tightened_slope};
 
 use crate::interval::{Interval, Packet};
 use crate::solve::Field;
@@ -88,10 +88,14 @@ impl<P: Packet> Pieces<P> {
 /// What steps from an expansion point m leave of a segment: [lo, left] ∪ [right, hi], with left ≤ m ≤ right; a side with
 /// crossed ends is empty.
 #[derive(Clone, Copy)]
-pub(crate) struct Around<P: Packet> {
+pub struct Around<P: Packet> {
+    /// Where the first piece begins.
     pub lo: P::F,
+    /// Where the first piece ends.
     pub left: P::F,
+    /// Where the second piece begins.
     pub right: P::F,
+    /// Where the second piece ends.
     pub hi: P::F,
     /// The segment holds exactly one root, and f is strictly monotone on it.
     pub one: P::M,
@@ -100,6 +104,19 @@ pub(crate) struct Around<P: Packet> {
 }
 
 impl<P: Packet> Around<P> {
+    /// All of `t` is left on both sides of `m`.
+    #[inline(always)]
+    pub fn all(p: P, t: &Interval<P::F>, m: P::F) -> Self {
+        Around {
+            lo: t.lo,
+            left: m,
+            right: m,
+            hi: t.hi,
+            one: p.mask(0),
+            slope: *t,
+        }
+    }
+
     /// The pieces, the first one foremost.
     #[inline(always)]
     pub fn pieces(&self, p: P) -> Pieces<P> {

@@ -51,7 +51,7 @@ impl Contractor for Newton {
 ///
 /// For lanes in `usable` only, where f is defined and continuous on T; m lies in T.
 #[inline(always)]
-pub(crate) fn step<P: Packet>(
+pub fn step<P: Packet>(
     p: P,
     t: &Interval<P::F>,
     m: P::F,

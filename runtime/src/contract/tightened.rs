@@ -41,7 +41,7 @@ impl Contractor for Tightened {
 
 /// f'(T) ∩ (f'(m) + f''(T)·(T − m)) where f is twice differentiable, else f'(T): by the mean value theorem for f'.
 #[inline(always)]
-pub(crate) fn slope_over<P: Packet>(
+pub fn slope_over<P: Packet>(
     p: P,
     t: &Interval<P::F>,
     m: P::F,
