@@ -1,4 +1,4 @@
-//! Renders the hand-written surfaces: `picture <folder> [size] [threads]` writes PNG files and prints statistics.
+//! Renders the hand-written surfaces: `picture <folder> [size] [threads] [scene] [repeats]` writes PNG files and prints statistics.
 
 use std::path::PathBuf;
 
@@ -16,11 +16,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(
         arguments
             .next()
-            .ok_or("usage: picture <folder> [size] [threads]")?,
+            .ok_or("usage: picture <folder> [size] [threads] [scene] [repeats]")?,
     );
     let size = arguments.next().map_or(Ok(512), |s| s.parse())?;
     let threads = arguments.next().map_or(Ok(1), |s| s.parse())?;
     let only = arguments.next();
+    let repeats = arguments.next().map_or(Ok(5), |s| s.parse())?;
     let camera = Camera::perspective(DVec3::new(2.5, 1.8, 4.0), DVec3::ZERO, DVec3::Y, 40.0)?;
     let torus = || {
         Hand::new(
@@ -58,7 +59,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let mut options = Options::new(size, size);
         options.threads = Some(threads);
         let mut best = render(&scene, &camera, &options)?;
-        for _ in 0..4 {
+        for _ in 1..repeats {
             let again = render(&scene, &camera, &options)?;
             if again.statistics().phases.roots < best.statistics().phases.roots {
                 best = again;

@@ -11,8 +11,8 @@ pub struct Blobs {
     pub blobs: Vec<[f64; 5]>,
     /// What is subtracted.
     pub level: f64,
-    /// The box.
-    pub domain: [[f64; 3]; 2],
+    /// The box, if it has one of its own.
+    pub domain: Option<[[f64; 3]; 2]>,
 }
 
 impl Blobs {
@@ -36,7 +36,7 @@ impl Blobs {
         Blobs {
             blobs,
             level: 0.5,
-            domain: [[-2.0; 3], [2.0; 3]],
+            domain: Some([[-2.0; 3], [2.0; 3]]),
         }
     }
 }
@@ -83,7 +83,7 @@ impl Surface for Blobs {
     }
     #[inline(always)]
     fn domain(&self) -> Option<[[f64; 3]; 2]> {
-        Some(self.domain)
+        self.domain
     }
     #[inline(always)]
     fn at(&self, _point: [f64; 3]) -> f64 {

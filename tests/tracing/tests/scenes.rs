@@ -1,0 +1,215 @@
+//! Scenes and pictures: which surface wins, what is refused, and that threads and instruction sets agree.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::DVec3;
+use zeroset::camera::{Camera, Ray};
+use zeroset::interval::Isa;
+use zeroset::render::{Options, Progress, RenderError, all_roots, render};
+use zeroset::scene::{Scene, SceneError};
+use zeroset::shade::Shading;
+use zeroset::verdict::Verdict;
+use zeroset_tracing_tests::staged::{Ball, Blobs};
+
+fn camera() -> Camera {
+    Camera::perspective(DVec3::new(0.0, 0.0, 4.0), DVec3::ZERO, DVec3::Y, 40.0).unwrap()
+}
+
+fn ball(radius: f64) -> Ball {
+    Ball { radius, half: 2.0 }
+}
+
+#[test]
+fn the_nearest_surface_wins_in_any_order() {
+    let options = Options::new(33, 21);
+    for (scene, outer) in [
+        (Scene::new().with(ball(1.0)).with(ball(0.5)), 0),
+        (Scene::new().with(ball(0.5)).with(ball(1.0)), 1),
+    ] {
+        let picture = render(&scene, &camera(), &options).unwrap();
+        let mut hits = 0;
+        for (x, y) in (0..33).flat_map(|x| (0..21).map(move |y| (x, y))) {
+            let pixel = picture.pixel(x, y);
+            assert_eq!(
+                pixel.surface.is_some(),
+                matches!(pixel.answer.first, Verdict::Root { .. })
+            );
+            assert!(pixel.surface.is_none_or(|s| s == outer));
+            hits += usize::from(pixel.surface.is_some());
+        }
+        assert!(hits > 50, "{hits}");
+    }
+}
+
+#[test]
+fn surfaces_in_one_place_are_tied() {
+    let scene = Scene::new().with(ball(1.0)).with(ball(1.0));
+    let picture = render(&scene, &camera(), &Options::new(16, 16)).unwrap();
+    let s = picture.statistics();
+    assert!(s.root > 0 && s.tied == s.root, "{s}");
+}
+
+#[test]
+fn normals_are_unit_vectors_towards_the_viewer() {
+    let picture = render(
+        &Scene::new().with(ball(1.0)),
+        &camera(),
+        &Options::new(32, 32),
+    )
+    .unwrap();
+    let pixel = picture.pixel(16, 16);
+    let n = pixel.normal.expect("the ball is in the middle");
+    let length = n.iter().map(|x| x * x).sum::<f32>();
+    assert!((length - 1.0).abs() < 1e-6 && n[2] > 0.9, "{n:?}");
+    // From inside the gradient points away from the viewer, the normal does not.
+    let inside =
+        Camera::perspective(DVec3::new(0.0, 0.0, 0.5), DVec3::ZERO, DVec3::Y, 40.0).unwrap();
+    let picture = render(
+        &Scene::new().with(ball(1.0)),
+        &inside,
+        &Options::new(32, 32),
+    )
+    .unwrap();
+    assert!(picture.pixel(16, 16).normal.expect("all pixels hit")[2] > 0.9);
+}
+
+#[test]
+fn threads_and_instruction_sets_agree() {
+    let scene = || {
+        Scene::new().with(ball(1.0)).with(Ball {
+            radius: 1.4,
+            half: 1.2,
+        })
+    };
+    let mut pictures = Vec::new();
+    for isa in Isa::available() {
+        for threads in [1, 3] {
+            let mut options = Options::new(50, 37);
+            options.isa = Some(isa);
+            options.threads = Some(threads);
+            let picture = render(&scene(), &camera(), &options).unwrap();
+            assert_eq!(picture.statistics().isa, isa.name());
+            pictures.push((isa, picture));
+        }
+    }
+    for pair in pictures.windows(2) {
+        let ((a, one), (b, other)) = (&pair[0], &pair[1]);
+        let mut hits = 0;
+        for (x, y) in (0..50).flat_map(|x| (0..37).map(move |y| (x, y))) {
+            let (p, q) = (one.answer(x, y), other.answer(x, y));
+            if a == b {
+                assert_eq!(p, q, "threads differ at ({x}, {y})");
+            }
+            if let (Some(s), Some(t)) = (p.first.t(), q.first.t()) {
+                assert!(
+                    p.entry + s.lo <= q.entry + t.hi + 1e-14,
+                    "{a} and {b} at ({x}, {y})"
+                );
+                assert!(
+                    q.entry + t.lo <= p.entry + s.hi + 1e-14,
+                    "{a} and {b} at ({x}, {y})"
+                );
+                hits += 1;
+            }
+        }
+        assert!(hits > 100, "{hits}");
+    }
+}
+
+#[test]
+fn an_empty_scene_is_all_background() {
+    let picture = render(&Scene::new(), &camera(), &Options::new(5, 3)).unwrap();
+    assert_eq!(picture.statistics().miss, 15);
+    let image = picture.image(&Shading::default());
+    assert_eq!(image.dimensions(), (5, 3));
+    assert!(image.pixels().all(|p| p == image.get_pixel(0, 0)));
+    assert_eq!(picture.verdict_image().get_pixel(0, 0).0, [255, 255, 255]);
+}
+
+#[test]
+fn progress_counts_every_tile_once() {
+    let calls = AtomicUsize::new(0);
+    let last = AtomicUsize::new(0);
+    let note = |p: Progress| {
+        calls.fetch_add(1, Ordering::Relaxed);
+        last.fetch_max(p.done, Ordering::Relaxed);
+        assert_eq!(p.of, 6);
+    };
+    let mut options = Options::new(40, 20);
+    options.progress = Some(&note);
+    render(&Scene::new().with(ball(1.0)), &camera(), &options).unwrap();
+    assert_eq!((calls.into_inner(), last.into_inner()), (6, 6));
+}
+
+#[test]
+fn a_surface_without_a_domain_takes_the_scene_s_box() {
+    let mut blobs = Blobs::some(1);
+    let size = Options::new(16, 16);
+    let own = render(&Scene::new().with(blobs.clone()), &camera(), &size).unwrap();
+    blobs.domain = None;
+    let scene = Scene::new().with(blobs.clone()).within([-2.0; 3], [2.0; 3]);
+    let given = render(&scene, &camera(), &size).unwrap();
+    assert!(own.statistics().root > 10);
+    assert_eq!(own.statistics().evaluations, given.statistics().evaluations);
+    let error = render(&Scene::new().with(blobs), &camera(), &size)
+        .err()
+        .expect("there is no box");
+    let message = error.to_string();
+    assert!(
+        message.contains("#[domain(") && message.contains("Scene::within"),
+        "{message}"
+    );
+}
+
+#[test]
+fn what_cannot_be_rendered_is_refused_with_advice() {
+    let refuse = |scene: Scene, options: Options| {
+        render(&scene, &camera(), &options).err().expect("an error")
+    };
+    let error = refuse(Scene::new(), Options::new(0, 5));
+    assert!(
+        matches!(error, RenderError::BadSize { .. })
+            && error.to_string().contains("from 1 to 65536")
+    );
+    let bad = Ball {
+        radius: 1.0,
+        half: -1.0,
+    };
+    let error = refuse(Scene::new().with(bad), Options::new(5, 5));
+    assert!(
+        matches!(error, RenderError::Scene(SceneError::BadBox { of: "ball" })),
+        "{error}"
+    );
+    let ray = Ray {
+        origin: DVec3::ZERO,
+        direction: DVec3::ZERO,
+    };
+    let error = all_roots(&Scene::new().with(ball(1.0)), &ray, &Options::new(1, 1))
+        .err()
+        .expect("an error");
+    assert!(matches!(error, RenderError::BadRay), "{error}");
+}
+
+#[test]
+fn all_roots_of_a_ball() {
+    let ray = Ray {
+        origin: DVec3::new(-3.0, 0.0, 0.0),
+        direction: DVec3::new(2.0, 0.0, 0.0),
+    };
+    for closed_forms in [true, false] {
+        let mut options = Options::new(1, 1);
+        options.settings.closed_forms = closed_forms;
+        let lists = all_roots(&Scene::new().with(ball(1.0)), &ray, &options).unwrap();
+        let (entry, events) = &lists[0];
+        assert_eq!(*entry, 0.5);
+        // t is in units of the direction as given, from the entry.
+        let expected = [0.5, 1.5];
+        assert_eq!(events.len(), 2, "{events:?}");
+        for (event, x) in events.iter().zip(expected) {
+            assert!(
+                matches!(event, Verdict::Root { t } if t.contains(x) && t.width() < 1e-13),
+                "{event:?}"
+            );
+        }
+    }
+}
