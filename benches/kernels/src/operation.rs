@@ -55,7 +55,7 @@ operations! {
     Sqrt "sqrt" |p, a, _b| p.sqrt(a).0;
     QuadraticLeaf "quadratic" |p, a, b| {
         let low = p.splat(-8.0);
-        let leaf = Quadratic { c0: b, c1: a, c2: b, low, high: p.splat(8.0) };
+        let leaf = Quadratic { c0: b, c1: a, c2: b, low, high: p.splat(8.0), bottom: a, top: b };
         a.quadratic(p, &leaf)
     };
     Exp "exp" |p, _a, b| p.exp(b);

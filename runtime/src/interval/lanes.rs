@@ -97,6 +97,8 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// The largest whole number ≤ a.
     fn floor_f(self, a: Self::F) -> Self::F;
 
+    /// Is bit `B` (0 or 1) of the whole number n set, in two's complement, where `shifted` is n + [`WHOLE`]?
+    fn bit<const B: u32>(self, shifted: Self::F) -> Self::M;
     /// 2ⁿ for a whole number n in [−1022, 1023]; anything else gives garbage.
     fn pow2(self, n: Self::F) -> Self::F;
     /// v·2ⁿ for ½ ≤ v ≤ 2 and a whole number n in [−1022, 1024], exact if the result is a normal number.
@@ -176,6 +178,9 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// An upper bound of a·b + c, as tight as [`fma_rd`](Self::fma_rd).
     fn fma_ru(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
 }
+
+/// 1.5·2⁵²: added to a number below 2⁵¹, it leaves the nearest whole number, in the low bits of the sum.
+pub const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// [`Lanes::decompose`] of one number. The bits of x less those of ⅔ hold, above the lowest 52, the exponent that brings
 /// x to [⅔, 4⁄3): every such interval starts at ⅔·2ᵉ, whose bits differ from those of ⅔ in the exponent alone.

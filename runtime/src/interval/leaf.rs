@@ -27,6 +27,10 @@ pub struct Quadratic<P: Packet> {
     pub low: P::F,
     /// An upper bound of the upper quadratic over all t; −∞ if it has no maximum.
     pub high: P::F,
+    /// An enclosure of the lower quadratic's vertex −c₁/2c₂, if it has a minimum; else not used.
+    pub bottom: Interval<P::F>,
+    /// An enclosure of the upper quadratic's vertex, if it has a maximum; else not used.
+    pub top: Interval<P::F>,
 }
 
 /// Where leaves are evaluated: over a segment ([`Interval`] with `lo ≥ 0`) or at a point ([`At`]), t ≥ 0 in both.

@@ -26,15 +26,17 @@ impl<P: Packet> Quadratic<P> {
     /// c₀ + c₁t + c₂t², with the extreme values c₀ − c₁²/4c₂ of the two bounding quadratics rounded outward.
     #[inline(always)]
     pub fn new(p: P, c0: Interval<P::F>, c1: Interval<P::F>, c2: Interval<P::F>) -> Self {
-        let low = minimum(p, c0.lo, c1.lo, c2.lo);
-        // The maximum of the upper quadratic is the negated minimum of the negated one.
-        let high = p.neg_f(minimum(p, p.neg_f(c0.hi), p.neg_f(c1.hi), p.neg_f(c2.hi)));
+        let (low, bottom) = minimum(p, c0.lo, c1.lo, c2.lo);
+        // The maximum of the upper quadratic is the negated minimum of the negated one, at the same t.
+        let (high, top) = minimum(p, p.neg_f(c0.hi), p.neg_f(c1.hi), p.neg_f(c2.hi));
         Quadratic {
             c0,
             c1,
             c2,
             low,
-            high,
+            high: p.neg_f(high),
+            bottom,
+            top,
         }
     }
 
@@ -48,22 +50,33 @@ impl<P: Packet> Quadratic<P> {
             c2: zero,
             low: p.splat(f64::INFINITY),
             high: p.splat(f64::NEG_INFINITY),
+            bottom: zero,
+            top: zero,
         }
     }
 }
 
-/// A lower bound of c₀ − c₁²/4c₂ where c₂ > 0, else +∞.
+/// A lower bound of c₀ − c₁²/4c₂ where c₂ > 0, else +∞; and an enclosure of −c₁/2c₂, which is NaN or nonsense where
+/// c₂ ≤ 0.
 #[inline(always)]
-fn minimum<P: Packet>(p: P, c0: P::F, c1: P::F, c2: P::F) -> P::F {
+fn minimum<P: Packet>(p: P, c0: P::F, c1: P::F, c2: P::F) -> (P::F, Interval<P::F>) {
+    let zero = p.splat(0.0);
     let m = p.abs_f(c1);
     let square = p.mul_nonneg_ru(m, m);
-    // At least the smallest positive number where c₂ > 0 is: then the quotient is no NaN, and only larger.
-    let four = p.mul_rd(p.splat(4.0), c2);
-    let drop = p.div_ru(square, p.max_f(four, p.splat(0.0)));
-    let low = p.sub_rd(c0, drop);
-    // 0/0 comes from c₁ = 0 and 4c₂ rounded to 0: then the minimum is c₀ itself.
-    let low = p.select(p.eq(c1, p.splat(0.0)), c0, low);
-    p.select(p.lt(p.splat(0.0), c2), low, p.splat(f64::INFINITY))
+    // Rounded down 4c₂ is 0 at worst, which makes the drop infinite, or 0/0 where c₁ = 0: then the minimum is c₀.
+    let four = p.max_f(p.mul_rd(p.splat(4.0), c2), zero);
+    let low = p.sub_rd(c0, p.div_ru(square, four));
+    let low = p.select(p.eq(c1, zero), c0, low);
+    // c₂ > 0, so the quotient keeps the order of the numerators.
+    let (half, n) = (p.splat(0.5), p.neg_f(c1));
+    let vertex = Interval {
+        lo: p.div_rd(p.mul_rd(half, n), c2),
+        hi: p.div_ru(p.mul_ru(half, n), c2),
+    };
+    (
+        p.select(p.lt(zero, c2), low, p.splat(f64::INFINITY)),
+        vertex,
+    )
 }
 
 /// The bounds of c₁ + c₂t at one t.
@@ -82,6 +95,12 @@ fn doubled<P: Packet>(p: P, c2: Interval<P::F>) -> Interval<P::F> {
         lo: p.add_rn(c2.lo, c2.lo),
         hi: p.add_rn(c2.hi, c2.hi),
     }
+}
+
+/// Where the vertex is certainly not inside the segment. A NaN is nowhere.
+#[inline(always)]
+fn outside<P: Packet>(p: P, vertex: Interval<P::F>, t: Interval<P::F>) -> P::M {
+    p.or(p.le(vertex.hi, t.lo), p.le(t.hi, vertex.lo))
 }
 
 /// c₀ + c₁t over a segment: each bound lies at the end that its slope's sign tells.
@@ -113,7 +132,6 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
     }
     #[inline(always)]
     fn quadratic(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
-        let zero = p.splat(0.0);
         let (start, end) = (
             line(p, leaf.c1, leaf.c2, self.lo),
             line(p, leaf.c1, leaf.c2, self.hi),
@@ -122,29 +140,17 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
         let lo1 = p.fma_rd(end.lo, self.hi, leaf.c0.lo);
         let hi0 = p.fma_ru(start.hi, self.lo, leaf.c0.hi);
         let hi1 = p.fma_ru(end.hi, self.hi, leaf.c0.hi);
-        // The vertex is outside where the slope c₁ + 2c₂t, rounded the safe way, has one sign: ≥ 0 at the start of an
-        // upright parabola or ≤ 0 at its end; for a hanging one the other way round. If in doubt the extreme value
-        // over all t counts, which is always a bound.
-        let rising = p.le(zero, p.fma_rd(leaf.c2.lo, self.lo, start.lo));
-        let falling = p.le(
-            p.fma_ru(
-                leaf.c2.lo,
-                self.hi,
-                p.fma_ru(leaf.c2.lo, self.hi, leaf.c1.lo),
-            ),
-            zero,
+        // If the vertex may be inside, the extreme value over all t counts, which is always a bound.
+        let low = p.select(
+            outside(p, leaf.bottom, self),
+            p.splat(f64::INFINITY),
+            leaf.low,
         );
-        let low = p.select(p.or(rising, falling), p.splat(f64::INFINITY), leaf.low);
-        let falling = p.le(p.fma_ru(leaf.c2.hi, self.lo, start.hi), zero);
-        let rising = p.le(
-            zero,
-            p.fma_rd(
-                leaf.c2.hi,
-                self.hi,
-                p.fma_rd(leaf.c2.hi, self.hi, leaf.c1.hi),
-            ),
+        let high = p.select(
+            outside(p, leaf.top, self),
+            p.splat(f64::NEG_INFINITY),
+            leaf.high,
         );
-        let high = p.select(p.or(rising, falling), p.splat(f64::NEG_INFINITY), leaf.high);
         Interval {
             lo: p.min_f(p.min_f(low, lo1), lo0),
             hi: p.max_f(p.max_f(high, hi1), hi0),

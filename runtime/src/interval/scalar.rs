@@ -207,6 +207,9 @@ impl Lanes for Scalar {
     fn floor_f(self, a: f64) -> f64 {
         a.floor()
     }
+    fn bit<const B: u32>(self, shifted: f64) -> bool {
+        (shifted.to_bits() >> B) & 1 == 1
+    }
     fn pow2(self, n: f64) -> f64 {
         f64::from_bits(((n as i64 + 1023) as u64) << 52)
     }

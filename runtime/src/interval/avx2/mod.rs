@@ -293,6 +293,20 @@ impl<R: Rounding> Lanes for Avx2<R> {
         both!(_mm256_floor_pd(a))
     }
     #[inline(always)]
+    fn bit<const B: u32>(self, shifted: Pair) -> Pair {
+        cpu!({
+            let bit = _mm256_set1_epi64x(1 << B);
+            let (low, high) = (
+                _mm256_and_si256(_mm256_castpd_si256(shifted.0), bit),
+                _mm256_and_si256(_mm256_castpd_si256(shifted.1), bit),
+            );
+            Pair(
+                _mm256_castsi256_pd(_mm256_cmpeq_epi64(low, bit)),
+                _mm256_castsi256_pd(_mm256_cmpeq_epi64(high, bit)),
+            )
+        })
+    }
+    #[inline(always)]
     fn pow2(self, n: Pair) -> Pair {
         // n + 1023 + 1.5·2⁵² holds the biased exponent in its low bits; shifted into place, the rest falls off.
         let biased = self.add_rn(n, self.splat(6_755_399_441_055_744.0 + 1023.0));

@@ -184,6 +184,13 @@ impl<R: Rounding> Lanes for Avx512<R> {
         cpu!(_mm512_roundscale_pd::<DOWN>(a))
     }
     #[inline(always)]
+    fn bit<const B: u32>(self, shifted: __m512d) -> __mmask8 {
+        cpu!(_mm512_test_epi64_mask(
+            _mm512_castpd_si512(shifted),
+            _mm512_set1_epi64(1 << B)
+        ))
+    }
+    #[inline(always)]
     fn pow2(self, n: __m512d) -> __m512d {
         cpu!(_mm512_scalef_pd(_mm512_set1_pd(1.0), n))
     }

@@ -18,6 +18,7 @@
 //! So the neighbours of v (the second neighbours without fused operations) enclose a point. The proofs are for the
 //! quarter-wave; signs and the swap of sin and cos are exact.
 
+use super::super::lanes::WHOLE;
 use super::super::{Flags, Interval, Lanes};
 use super::remainder::{Reduced, reduce};
 
@@ -40,7 +41,7 @@ const C: [u64; 6] = [
     0xbda8fb13a797c552,
 ];
 
-/// Lower and upper bounds at one point per lane, and n, the number of odd multiples of π/2 below it (up to a constant
+/// Lower and upper bounds at one point per lane, and n + [`WHOLE`], n being the number of odd multiples of π/2 below it (up to a constant
 /// that is a multiple of 4). Between a and b lie n(b) − n(a) of them: extrema of the sine, poles of the tangent.
 struct Point<P: Lanes> {
     value: Interval<P::F>,
@@ -64,16 +65,16 @@ pub fn cos<P: Lanes>(p: P, a: Interval<P::F>) -> Interval<P::F> {
 fn wave<P: Lanes>(p: P, a: Interval<P::F>, quarters: f64) -> Interval<P::F> {
     let start = sine_at(p, a.lo, quarters);
     let end = sine_at(p, a.hi, quarters);
-    let (one, minus, two) = (p.splat(1.0), p.splat(-1.0), p.splat(2.0));
     // How many extrema lie between, modulo 4: never more than 2 unless the segment is about a period wide or wider.
-    let count = modulo(p, p.sub_rn(end.n, start.n), 4.0);
+    let count = p.add_rn(p.sub_rn(end.n, start.n), p.splat(WHOLE));
     let wide = p.le(p.splat(6.283185), p.sub_ru(a.hi, a.lo));
-    let both = p.or(wide, p.le(two, count));
-    let single = p.eq(count, one);
+    let both = p.or(wide, p.bit::<1>(count));
+    let single = p.and_not(p.bit::<0>(count), p.bit::<1>(count));
     // The last extremum before b is a maximum if its number is odd: the first one above 0 is π/2.
-    let odd = p.eq(modulo(p, end.n, 2.0), one);
+    let odd = p.bit::<0>(end.n);
     let has_max = p.or(both, p.and(single, odd));
     let has_min = p.or(both, p.and_not(single, odd));
+    let (one, minus) = (p.splat(1.0), p.splat(-1.0));
     Interval {
         lo: p.select(has_min, minus, p.min_f(start.value.lo, end.value.lo)),
         hi: p.select(has_max, one, p.max_f(start.value.hi, end.value.hi)),
@@ -85,9 +86,9 @@ fn wave<P: Lanes>(p: P, a: Interval<P::F>, quarters: f64) -> Interval<P::F> {
 pub fn tan<P: Lanes>(p: P, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
     let start = tangent_at(p, a.lo);
     let end = tangent_at(p, a.hi);
-    let count = modulo(p, p.sub_rn(end.n, start.n), 4.0);
+    let count = p.add_rn(p.sub_rn(end.n, start.n), p.splat(WHOLE));
     let wide = p.le(p.splat(3.141592), p.sub_ru(a.hi, a.lo));
-    let pole = p.or(wide, p.lt(p.splat(0.0), count));
+    let pole = p.or(wide, p.or(p.bit::<0>(count), p.bit::<1>(count)));
     let range = Interval {
         lo: p.select(pole, p.splat(f64::NEG_INFINITY), start.value.lo),
         hi: p.select(pole, p.splat(f64::INFINITY), end.value.hi),
@@ -101,20 +102,12 @@ pub fn tan<P: Lanes>(p: P, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
     )
 }
 
-/// x modulo m for whole x.
-#[inline(always)]
-fn modulo<P: Lanes>(p: P, x: P::F, m: f64) -> P::F {
-    p.sub_rn(
-        x,
-        p.mul_rn(p.splat(m), p.floor_f(p.mul_rn(x, p.splat(1.0 / m)))),
-    )
-}
-
-/// n for x = k·π/2 + r: ⌊k/2⌋, and one more if k is odd and r ≥ 0.
+/// n + [`WHOLE`] for x = k·π/2 + r: n = ⌊k/2⌋, and one more if k is odd and r ≥ 0.
+/// To the nearest whole number k/2 − ¼ is ⌊k/2⌋ ± ¼, k/2 + ¼ is ⌊(k + 1)/2⌋ ± ¼.
 #[inline(always)]
 fn odd_multiples_below<P: Lanes>(p: P, k: P::F, negative: P::M) -> P::F {
-    let k = p.select(negative, k, p.add_rn(k, p.splat(1.0)));
-    p.floor_f(p.mul_rn(k, p.splat(0.5)))
+    let quarter = p.select(negative, p.splat(-0.25), p.splat(0.25));
+    p.add_rn(p.fma_rn(k, p.splat(0.5), quarter), p.splat(WHOLE))
 }
 
 /// The sine of x + `quarters`·π/2.
@@ -123,9 +116,8 @@ fn sine_at<P: Lanes>(p: P, x: P::F, quarters: f64) -> Point<P> {
     let reduced = reduce(p, x);
     let k = p.add_rn(reduced.k, p.splat(quarters));
     let negative = p.lt(reduced.r, p.splat(0.0));
-    let quadrant = modulo(p, k, 4.0);
-    let back = p.le(p.splat(2.0), quadrant);
-    let cosine = p.eq(modulo(p, quadrant, 2.0), p.splat(1.0));
+    let shifted = p.add_rn(k, p.splat(WHOLE));
+    let (cosine, back) = (p.bit::<0>(shifted), p.bit::<1>(shifted));
     let (s, c) = quarter_wave(p, reduced, negative);
     let m = p.select(cosine, c, s);
     // sin(r) is odd, cos(r) even.
@@ -142,7 +134,7 @@ fn tangent_at<P: Lanes>(p: P, x: P::F) -> Point<P> {
     let reduced = reduce(p, x);
     let k = reduced.k;
     let negative = p.lt(reduced.r, p.splat(0.0));
-    let swap = p.eq(modulo(p, k, 2.0), p.splat(1.0));
+    let swap = p.bit::<0>(p.add_rn(k, p.splat(WHOLE)));
     let (s, c) = quarter_wave(p, reduced, negative);
     let (s, c) = (around(p, s), around(p, c));
     let num = select(p, swap, c, s);

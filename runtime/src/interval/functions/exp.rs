@@ -19,6 +19,7 @@
 //! long as the result is normal. So a point's enclosure is the two neighbours: two units wide.
 
 use super::super::enclose::Enclose;
+use super::super::lanes::WHOLE;
 use super::super::{Interval, Lanes};
 
 /// The coefficients of q, from the constant one on.
@@ -73,7 +74,7 @@ pub fn anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
 #[inline(always)]
 pub fn near<P: Lanes>(p: P, x: P::F) -> P::F {
     // Adding 1.5·2⁵² leaves the nearest whole number in the low bits.
-    let shift = p.splat(6_755_399_441_055_744.0);
+    let shift = p.splat(WHOLE);
     let k = p.sub_rn(p.fma_rn(x, p.splat(f64::from_bits(LOG2E)), shift), shift);
     let r1 = p.fma_rn(k, p.splat(-f64::from_bits(L1)), x);
     let t1 = p.mul_rn(k, p.splat(f64::from_bits(L2)));

@@ -1,9 +1,10 @@
 //! x modulo π/2, for doubles of any size.
 
 use super::super::Lanes;
-use super::two_fold::{two_product, two_sum};
+use super::super::lanes::WHOLE;
+use super::two_fold::two_product;
 
-/// x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ ulp(r)/2; r + ρ is right to 2⁻⁸⁰ of itself, so its sign is too. Beyond 2³⁰
+/// x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ ulp(r)/2; r + ρ is right to 2⁻¹⁰⁰ of itself, so its sign is too. Beyond 2²⁰
 /// k is what it is modulo 8.
 #[derive(Clone, Copy)]
 pub struct Reduced<F> {
@@ -23,19 +24,19 @@ const P3: u64 = 0xb91f1976b7ed8fbc;
 const I1: u64 = 0x3fe45f306dc9c883;
 
 /// Up to here the three parts do.
-const LIMIT: f64 = 1_073_741_824.0;
+const LIMIT: f64 = 1_048_576.0;
 /// Remainders below this go the long way too: cancellation may have left them few digits.
-const SMALL: f64 = 9.094947017729282e-13;
+const SMALL: f64 = 9.313225746154785e-10;
 
 /// The remainder of x. Infinite x gives 0.
 ///
-/// For |x| ≤ 2³⁰, in exact steps: k·P1 = h + l; r₀ = (x − h) − l (a multiple of 2⁻⁵³ below 1, so a double; x − h by
-/// Sterbenz); k·P2 = g + m; r₀ − g = a + b. Then r + ρ = a + ((b − m) − k·P3), where only the last two differences round:
-/// with |a| ≥ 2⁻⁴⁰ (else the long way), |b| ≤ 2⁻⁵³|a|, |m| ≤ 2⁻⁷⁷ and |k·P3| ≤ 2⁻⁷⁹ they err by less than 2⁻¹²⁷, and the
-/// parts of π/2 by less than 2⁻¹³³.
+/// For |x| ≤ 2²⁰, in exact steps: k·P1 = h + l; r₀ = (x − h) − l (a multiple of 2⁻⁵³ below 1, so a double; x − h by
+/// Sterbenz); k·P2 = g + m with |g| < 2⁻³³; r₀ − g = a + b (Dekker: |r₀| > |g|, for |r| ≥ 2⁻³⁰, else the long way). Then
+/// r + ρ = a + ((b − m) − k·P3), where only the last two differences round: with |b| ≤ 2⁻⁵³|a|, |m| ≤ 2⁻⁸⁶ and
+/// |k·P3| ≤ 2⁻⁸⁸ they err by less than 2⁻¹⁰⁴|a| + 2⁻¹³⁸, and the parts of π/2 by less than 2⁻¹⁴³. For k = 0 all is exact.
 #[inline(always)]
 pub fn reduce<P: Lanes>(p: P, x: P::F) -> Reduced<P::F> {
-    let shift = p.splat(6_755_399_441_055_744.0);
+    let shift = p.splat(WHOLE);
     let k = p.sub_rn(p.fma_rn(x, p.splat(f64::from_bits(I1)), shift), shift);
     let r0 = if P::FUSED {
         p.fma_rn(k, p.splat(-f64::from_bits(P1)), x)
@@ -44,7 +45,8 @@ pub fn reduce<P: Lanes>(p: P, x: P::F) -> Reduced<P::F> {
         p.sub_rn(p.sub_rn(x, h), l)
     };
     let (g, m) = two_product(p, k, p.splat(f64::from_bits(P2)));
-    let (a, b) = two_sum(p, r0, p.neg_f(g));
+    let a = p.sub_rn(r0, g);
+    let b = p.sub_rn(p.sub_rn(r0, a), g);
     let tail = p.sub_rn(p.sub_rn(b, m), p.mul_rn(k, p.splat(f64::from_bits(P3))));
     let r = p.add_rn(a, tail);
     let rho = p.sub_rn(tail, p.sub_rn(r, a));

@@ -1,14 +1,6 @@
-//! Sums and products with their rounding errors, on packets.
+//! Products with their rounding errors, on packets.
 
 use super::super::Lanes;
-
-/// (s, e) with s + e = a + b exactly (Knuth), barring overflow.
-#[inline(always)]
-pub fn two_sum<P: Lanes>(p: P, a: P::F, b: P::F) -> (P::F, P::F) {
-    let s = p.add_rn(a, b);
-    let bb = p.sub_rn(s, a);
-    (s, p.add_rn(p.sub_rn(a, p.sub_rn(s, bb)), p.sub_rn(b, bb)))
-}
 
 /// (h, l) with h + l = a·b exactly, barring overflow and underflow: one fused operation, or Dekker's product.
 #[inline(always)]

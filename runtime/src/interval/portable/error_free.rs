@@ -26,7 +26,7 @@ fn split(a: f64) -> (f64, f64) {
     (h, a - h)
 }
 
-/// A lower bound of a·b + c, within two units in the last place of the result where no guard trips.
+/// A lower bound of a·b + c, within two units in the last place of the result, where [`holds`] says so.
 ///
 /// a·b = p + e (Dekker), p + c = t + f, e + f = h + l, t + h = s + w (Knuth), all exact, so the exact result is
 /// s + (w + l) and the sign of w + l tells whether s is above it. s's predecessor is then below it:
@@ -34,10 +34,10 @@ fn split(a: f64) -> (f64, f64) {
 ///   |w| is at most half the gap to the predecessor and |l| far less than the other half;
 /// * f = 0 makes l = 0.
 ///
-/// The guards: operands that cannot be split, sums near overflow, and products whose error is no double. There a
-/// product and a sum are rounded one after the other.
+/// It does not hold for operands that cannot be split, sums near overflow, and products whose error is no double. There
+/// a product and a sum are rounded one after the other ([`guarded`]).
 #[inline(always)]
-pub fn fma_down<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
+pub fn tight<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
     let p = a * b;
     if !R::ON {
         return p + c;
@@ -48,21 +48,22 @@ pub fn fma_down<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
     let (t, f) = two_sum(p, c);
     let (h, l) = two_sum(e, f);
     let (s, w) = two_sum(t, h);
-    let tight = if w + l < 0.0 { down_one::<R>(s) } else { s };
+    if w + l < 0.0 { down_one::<R>(s) } else { s }
+}
 
-    let exact = a == 0.0 || b == 0.0 || p.abs() >= TINY;
-    let room = a.abs() < SPLITS && b.abs() < SPLITS && p.abs() < HUGE && c.abs() < HUGE;
-    if exact && room {
-        tight
-    } else {
-        guarded::<R>(a, b, p, c)
-    }
+/// Does [`tight`] hold for these operands? Bitwise operators, so that eight lanes need no branch.
+#[inline(always)]
+pub fn holds(a: f64, b: f64, c: f64) -> bool {
+    let p = (a * b).abs();
+    let exact = (a == 0.0) | (b == 0.0) | (p >= TINY);
+    exact & (a.abs() < SPLITS) & (b.abs() < SPLITS) & (p < HUGE) & (c.abs() < HUGE)
 }
 
 /// The bound where the transformations do not hold. A zero factor is exact whatever the other is, unless that is
 /// infinite: 0·∞ is NaN and stays one, as in the other back-ends.
 #[inline(always)]
-fn guarded<R: Rounding>(a: f64, b: f64, p: f64, c: f64) -> f64 {
+pub fn guarded<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
+    let p = a * b;
     let zero = (a == 0.0 || b == 0.0) && !p.is_nan();
     let product = if zero { p } else { down_one::<R>(p) };
     down_one::<R>(product + c)

@@ -242,6 +242,10 @@ impl<R: Rounding> Lanes for Portable<R> {
         map!(i => if r[i] > a[i] { r[i] - 1.0 } else { r[i] })
     }
     #[inline(always)]
+    fn bit<const B: u32>(self, shifted: F) -> M {
+        test!(i => (shifted[i].to_bits() >> B) & 1 == 1)
+    }
+    #[inline(always)]
     fn pow2(self, n: F) -> F {
         // n + 1.5·2⁵² holds n in its low bits; shifted to the exponent, the rest falls off.
         map!(i => f64::from_bits((n[i] + (6_755_399_441_055_744.0 + 1023.0)).to_bits() << 52))
@@ -319,10 +323,28 @@ fn call_routine<R: Rounding, T: Routine<Portable<R>>>(p: Portable<R>, routine: T
     routine.call(p)
 }
 
-/// Lower bounds of a·b + c: out of line, for it is long.
+/// Lower bounds of a·b + c: out of line, for it is long. The lanes where the error-free transformations do not hold are
+/// rare, and mended one by one.
 #[inline(never)]
 fn fma_down<R: Rounding>(a: &F, b: &F, c: &F) -> F {
-    map!(i => error_free::fma_down::<R>(a[i], b[i], c[i]))
+    let mut out = map!(i => error_free::tight::<R>(a[i], b[i], c[i]));
+    let held = test!(i => error_free::holds(a[i], b[i], c[i]));
+    let mut all = u64::MAX;
+    let mut i = 0;
+    while i < 8 {
+        all &= held[i];
+        i += 1;
+    }
+    if R::ON && all == 0 {
+        let mut i = 0;
+        while i < 8 {
+            if held[i] == 0 {
+                out[i] = error_free::guarded::<R>(a[i], b[i], c[i]);
+            }
+            i += 1;
+        }
+    }
+    out
 }
 
 /// Forwards interval operations to functions that are not inlined: in long formulas eight-lane loops inlined hundreds
