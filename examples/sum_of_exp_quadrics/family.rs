@@ -38,24 +38,39 @@ impl Form {
     }
 }
 
-/// `count` quadratics r(p) = (p − c)ᵀ A (p − c), with c in a ball around the origin and A = R diag(±1/s²) Rᵀ: a random
-/// rotation R and three random half axes s, which shrink as the terms become more so that the sum stays a cluster.
+/// `count` quadratics r(p) = (p − c)ᵀ A (p − c), with centres c whose mean is the origin and A = R diag(±1/s²) Rᵀ: a random
+/// rotation R and three random half axes s. Those of bumps shrink as the terms become more, so that the sum stays a
+/// cluster; saddles are flatter, so that their exponentials stay below e¹⁰ or so in the box.
 pub fn quadratics(random: &mut Random, count: usize, form: Form) -> Vec<[f64; 10]> {
-    let scale = (8.0 / count as f64).cbrt().min(1.4);
-    (0..count)
-        .map(|_| {
-            let centre = random.in_ball(0.6);
+    let (shortest, longest) = match form {
+        Form::NegativeDefinite => {
+            let scale = (8.0 / count as f64).cbrt().min(1.4);
+            (0.12 * scale, 0.46 * scale)
+        }
+        Form::Indefinite => (0.7, 1.4),
+    };
+    centres(random, count)
+        .into_iter()
+        .map(|centre| {
             let signs = signs(random, form);
             let mut axes = [[0.0; 3]; 3];
             let rotation = random.rotation();
             for (axis, (row, sign)) in axes.iter_mut().zip(rotation.iter().zip(signs)) {
-                let s = scale * random.between(0.12, 0.46);
+                let s = random.between(shortest, longest);
                 // Rows of the rotation, each scaled by the eigenvalue; `expand` multiplies by the row itself.
                 *axis = row.map(|x| sign * x / (s * s));
             }
             expand(&product(&rotation, &axes), centre)
         })
         .collect()
+}
+
+/// Points of a ball, moved so that their mean is the origin: the cluster is in the middle of the picture.
+fn centres(random: &mut Random, count: usize) -> Vec<[f64; 3]> {
+    let points: Vec<_> = (0..count).map(|_| random.in_ball(0.6)).collect();
+    let mean = [0, 1, 2].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / count as f64);
+    let centred = |p: &[f64; 3]| [0, 1, 2].map(|k| p[k] - mean[k]);
+    points.iter().map(centred).collect()
 }
 
 /// Three signs, not all of them the same for an indefinite form.

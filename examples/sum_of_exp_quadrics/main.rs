@@ -5,6 +5,7 @@
 mod arguments;
 mod failure;
 mod family;
+mod figures;
 mod picture;
 mod random;
 mod report;
@@ -41,6 +42,10 @@ fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut impl Write) -> R
     let rendering = picture::take(&arguments)?;
     let paths = picture::write(&rendering, &arguments.out)?;
     report::statistics(out, rendering.statistics())?;
+    let mut paths = Vec::from(paths);
+    if arguments.figures {
+        paths.extend(figures::write(out, &arguments.out)?);
+    }
     writeln!(out)?;
     for path in paths {
         writeln!(out, "wrote {}", path.display())?;
