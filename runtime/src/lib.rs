@@ -41,6 +41,7 @@ pub mod __private;
 pub mod camera;
 pub mod contract;
 pub mod interval;
+pub mod language;
 pub mod ray;
 pub mod render;
 pub mod scene;

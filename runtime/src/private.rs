@@ -3,6 +3,7 @@
 pub use crate::interval::{
     Arithmetic, Interval, Jet, Linear, Packet, Parameter, Quadratic, Undecided,
 };
+pub use crate::language;
 pub use crate::ray::Rays;
 pub use crate::surface::{Active, Continuity, ParameterError, Report, Surface};
 pub use std::default::Default;

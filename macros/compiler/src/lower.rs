@@ -39,6 +39,10 @@ impl<'a> Lowering<'a> {
 
     /// The formula's value: left − right.
     pub fn root(&mut self) -> Result<Id, TooLarge> {
+        // In source order, so that a chain of `let`s is no recursion.
+        for index in &self.formula.body {
+            self.binding(*index)?;
+        }
         let left = self.term(&self.formula.left)?;
         match &self.formula.right {
             None => Ok(left),
@@ -85,6 +89,7 @@ impl<'a> Lowering<'a> {
                 self.call(*f, &arguments)
             }
             TermKind::Fold(kind, fold, body) => return self.fold(*kind, *fold, body, term.source),
+            TermKind::Block(_, value) => return self.term(value),
             TermKind::If(condition, yes, no) => {
                 let condition = self.condition(condition)?;
                 let (yes, no) = (self.term(yes)?, self.term(no)?);

@@ -19,6 +19,8 @@ pub struct Formula {
     pub domain: Option<[[Term; 2]; 3]>,
     /// Every `let`, also those in blocks and bodies of folds, in source order.
     pub lets: Vec<Let>,
+    /// The outermost of them; the others stand in a [`TermKind::Block`].
+    pub body: Vec<usize>,
     /// Every fold.
     pub folds: Vec<Fold>,
     /// Left side of the equation.
@@ -42,6 +44,7 @@ impl Formula {
             fields: Vec::new(),
             domain: None,
             lets: Vec::new(),
+            body: Vec::new(),
             folds: Vec::new(),
             left: Term {
                 kind: TermKind::Coordinate(0, x),
@@ -194,6 +197,8 @@ pub enum TermKind {
     Call(Function, Ident, Vec<Term>),
     /// A fold over [`Formula::folds`].
     Fold(FoldKind, usize, Box<Term>),
+    /// `{ let …; value }`: indices into [`Formula::lets`], and the value.
+    Block(Vec<usize>, Box<Term>),
     /// `if`.
     If(Box<Condition>, Box<Term>, Box<Term>),
 }

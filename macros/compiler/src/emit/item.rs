@@ -3,7 +3,7 @@
 use super::block::block;
 use super::enclosure::{Enclosure, Stage};
 use super::layout::Layout;
-use super::plain::Plain;
+use super::scalar;
 use crate::front::{Head, HeadField};
 use crate::graph::{Graph, Id, Scope};
 use crate::lower::{Lowering, TooLarge};
@@ -20,13 +20,14 @@ pub fn definition(
     fields: &[FieldHead],
 ) -> TokenStream {
     if fields.is_empty() {
-        return quote!(#attributes #visibility struct #name;);
+        return quote_spanned!(name.span()=> #attributes #visibility struct #name;);
     }
     let fields = fields.iter().map(|f| {
         let (attributes, visibility, name, ty) = (&f.attributes, &f.visibility, &f.name, &f.ty);
         quote!(#attributes #visibility #name: #ty)
     });
-    quote!(#attributes #visibility struct #name { #(#fields),* })
+    // The item's own tokens stand where the user named it: rustc reports nothing in code that it takes for a macro's.
+    quote_spanned!(name.span()=> #attributes #visibility struct #name { #(#fields),* })
 }
 
 /// What the struct needs of a field.
@@ -92,9 +93,9 @@ pub fn setters(name: &Ident, fields: &[FieldHead]) -> TokenStream {
             #[doc = #doc]
             #[must_use]
             #[allow(dead_code, clippy::needless_update)]
-            #visibility fn #method(mut self, #field: #ty) -> Self {
-                self.#field = #field;
-                self
+            #visibility fn #method(self, #field: #ty) -> Self {
+                // No assignment: rustc would take it for a use of the field.
+                Self { #field, ..self }
             }
         }
     });
@@ -107,70 +108,51 @@ fn plain_name(name: &Ident) -> String {
 }
 
 /// `Default`, where every field has a default and the user does not derive it.
-pub fn default(formula: &Formula, name: &Ident) -> Result<TokenStream, TooLarge> {
+pub fn default(formula: &Formula, name: &Ident) -> TokenStream {
     let derived = formula.attributes.to_string().contains("Default");
     if derived || formula.fields.iter().any(|f| f.default.is_none()) {
-        return Ok(TokenStream::new());
+        return TokenStream::new();
     }
-    let mut values = Vec::new();
-    for f in &formula.fields {
-        let Some(default) = &f.default else { continue };
-        let (field, value) = (&f.name, default_value(formula, default, &f.shape)?);
-        values.push(quote!(#field: #value));
-    }
-    Ok(quote! {
+    let values = formula.fields.iter().filter_map(|f| {
+        let (field, value) = (
+            &f.name,
+            default_value(formula, f.default.as_ref()?, &f.shape),
+        );
+        Some(quote!(#field: #value))
+    });
+    quote! {
         impl __zeroset::Default for #name {
             fn default() -> Self {
                 Self { #(#values),* }
             }
         }
-    })
+    }
 }
 
-fn default_value(
-    formula: &Formula,
-    default: &Default,
-    shape: &Shape,
-) -> Result<TokenStream, TooLarge> {
+fn default_value(formula: &Formula, default: &Default, shape: &Shape) -> TokenStream {
     match (default, shape) {
-        (Default::Number(term), _) => {
-            let mut lowering = Lowering::new(formula);
-            let id = lowering.term(term)?;
-            let mut body = TokenStream::new();
-            let mut target = Plain {
-                graph: &lowering.graph,
-                fields: &[],
-            };
-            let value = block(
-                &lowering.graph,
-                &mut target,
-                Scope::default(),
-                &[id],
-                &mut HashMap::new(),
-                &mut body,
-            );
-            Ok(quote!({ #body #(#value)* }))
+        (Default::Number(term), _) => scalar::constant(formula, term),
+        (Default::Table(rows), Shape::Vec(inner)) => {
+            let rows = rows.iter().map(|r| default_value(formula, r, inner));
+            quote!(__zeroset::vec![#(#rows),*])
         }
-        (Default::Table(rows), shape) => {
-            let inner = match shape {
-                Shape::Array(inner, _) | Shape::Vec(inner) => inner,
-                Shape::Number => shape,
-            };
-            let rows = rows
-                .iter()
-                .map(|r| default_value(formula, r, inner))
-                .collect::<Result<Vec<_>, _>>()?;
-            Ok(match shape {
-                Shape::Vec(_) => quote!(__zeroset::vec![#(#rows),*]),
-                _ => quote!([#(#rows),*]),
-            })
+        (Default::Table(rows), Shape::Array(inner, _)) => {
+            let rows = rows.iter().map(|r| default_value(formula, r, inner));
+            quote!([#(#rows),*])
         }
+        // The front end refused it.
+        (Default::Table(_), Shape::Number) => quote!(0.0),
     }
 }
 
 /// `check`: finite fields, and enough rows in tables of run-time length.
 pub fn check(graph: &Graph, root: Id, surface: &str, fields: &[Field]) -> TokenStream {
-    let tests = fields.iter().enumerate().map(|(k, f)| {
+    // Fields that the formula does not use are not read, so that rustc can report them.
+    let used = fields
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| super::rows::uses(graph, root, *k));
+    let tests = used.map(|(k, f)| {
         let (name, text) = (&f.name, plain_name(&f.name));
         let finite = finite(quote!(self.#name), &f.shape, surface, &text);
         let needed = super::rows::needed(graph, root, k);

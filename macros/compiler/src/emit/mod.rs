@@ -4,10 +4,10 @@ mod block;
 mod enclosure;
 mod item;
 mod layout;
-mod plain;
 mod polynomial;
 mod report;
 mod rows;
+mod scalar;
 mod stages;
 mod text;
 
@@ -31,7 +31,7 @@ pub fn surface(formula: &Formula, root: &TokenStream) -> Result<TokenStream, Too
         .unwrap_or_else(|| Ident::new("Implicit", Span::mixed_site()));
     let heads: Vec<FieldHead> = formula.fields.iter().map(FieldHead::from).collect();
     if formula.name.is_some() {
-        let implementation = implementation(formula, &name, root, &item::default(formula, &name)?)?;
+        let implementation = implementation(formula, &name, root, &item::default(formula, &name))?;
         let definition = definition(&formula.attributes, &formula.visibility, &name, &heads);
         let setters = item::setters(&name, &heads);
         return Ok(quote!(#definition #implementation #setters));
@@ -43,11 +43,11 @@ pub fn surface(formula: &Formula, root: &TokenStream) -> Result<TokenStream, Too
         &name,
         &heads,
     );
-    let captured = heads.iter().map(|f| &f.name);
+    let captured: Vec<&Ident> = heads.iter().map(|f| &f.name).collect();
     let value = if heads.is_empty() {
         quote!(#name)
     } else {
-        quote!(#name { #(#captured),* })
+        quote!(#name { #(#captured: #captured),* })
     };
     Ok(quote!({ #definition #implementation #value }))
 }
@@ -92,12 +92,10 @@ fn implementation(
     let text = name.to_string();
     let members = members(&compiled, formula, &text)?;
     Ok(quote! {
-        #[allow(
-            unused_variables, unused_imports, unused_mut, unused_parens, unused_assignments, unreachable_code,
-            clippy::all, clippy::pedantic, clippy::nursery
-        )]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         const _: () = {
             use #root::__private as __zeroset;
+            #[allow(unused_imports)]
             use __zeroset::Arithmetic as _;
             impl __zeroset::Surface for #name {
                 #members
@@ -113,7 +111,7 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
         compiled.layout.bound_type(),
     );
     let check = item::check(compiled.graph, compiled.root, surface, &formula.fields);
-    let (domain, at) = (item::domain(formula)?, compiled.at());
+    let (domain, at) = (item::domain(formula)?, scalar::at(formula));
     let (prepare, everything, bind) = (compiled.prepare(), compiled.everything(), compiled.bind());
     let segment = [
         compiled.segment("value", 1),

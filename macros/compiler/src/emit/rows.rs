@@ -43,6 +43,21 @@ pub fn needed(graph: &Graph, root: Id, field: usize) -> Vec<usize> {
     rows
 }
 
+/// Does the formula read a field?
+pub fn uses(graph: &Graph, root: Id, field: usize) -> bool {
+    graph
+        .reachable(&[root], |_| false)
+        .iter()
+        .any(|id| match graph.op(*id) {
+            Op::Field(f, _) => *f == field,
+            Op::Fold(_, fold, _) | Op::Row(fold, _) => graph
+                .folds
+                .get(*fold)
+                .is_some_and(|f| matches!(f.over, Over::Table(f, _) if f == field)),
+            _ => false,
+        })
+}
+
 /// The length that makes an index valid.
 fn length(graph: &Graph, index: &Index) -> usize {
     match index {

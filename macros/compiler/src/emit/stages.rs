@@ -4,7 +4,6 @@ use super::block::block;
 use super::enclosure::enter_rows;
 use super::enclosure::{Enclosure, Stage, Value, enter_fields};
 use super::layout::Layout;
-use super::plain::Plain;
 use super::polynomial::{Polynomial, enter_active};
 use crate::graph::{Graph, Id, Scope};
 use crate::stage::Staged;
@@ -342,29 +341,6 @@ impl Compiled<'_> {
             body,
             quote!(__zeroset::Jet { d: [#(#names),*], flags: #flags }),
         )
-    }
-
-    /// `at`: f in plain `f64`.
-    pub fn at(&self) -> TokenStream {
-        let mut body = TokenStream::new();
-        let mut target = Plain {
-            graph: self.graph,
-            fields: self.fields,
-        };
-        let value = block(
-            self.graph,
-            &mut target,
-            Scope::default(),
-            &[self.root],
-            &mut HashMap::new(),
-            &mut body,
-        );
-        quote! {
-            fn at(&self, point: [__zeroset::primitive::f64; 3]) -> __zeroset::primitive::f64 {
-                #body
-                #(#value)*
-            }
-        }
     }
 
     /// `quadric`: the leaf that is the whole formula, if there is one.

@@ -44,6 +44,7 @@ pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
         fields: Vec::new(),
         domain: None,
         lets: Vec::new(),
+        body: Vec::new(),
         folds: Vec::new(),
         left: nothing(&input.body.left),
         right: None,
@@ -55,7 +56,8 @@ pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
         formula.visibility = head.visibility;
         formula.name = head.name;
     }
-    if let Some((left, right)) = resolver.formula(&input.body) {
+    if let Some((body, left, right)) = resolver.formula(&input.body) {
+        formula.body = body;
         formula.left = left;
         formula.right = right;
     }
@@ -93,6 +95,19 @@ struct Value {
     moves: bool,
 }
 
+impl Value {
+    /// The value of a block that begins with these `let`s.
+    fn after(mut self, lets: Vec<usize>) -> Value {
+        if !lets.is_empty() {
+            self.term = Term {
+                source: self.term.source,
+                kind: TermKind::Block(lets, Box::new(self.term)),
+            };
+        }
+        self
+    }
+}
+
 /// What is known of a `let`.
 struct Fact {
     constant: Option<BigRational>,
@@ -127,10 +142,10 @@ struct Resolver<'a> {
 }
 
 impl Resolver<'_> {
-    /// The whole formula: its two sides.
-    fn formula(&mut self, body: &Body) -> Option<(Term, Option<Term>)> {
+    /// The whole formula: its outermost `let`s and its two sides.
+    fn formula(&mut self, body: &Body) -> Option<(Vec<usize>, Term, Option<Term>)> {
         self.declare_all(body);
-        self.bindings(body);
+        let lets = self.bindings(body);
         if body.right.is_none() && self.inequality(&body.left) {
             return None;
         }
@@ -147,13 +162,13 @@ impl Resolver<'_> {
             self.diagnostics
                 .push(shapes::constant_formula(body.left.place.to(last)));
         }
-        Some((left.term, right.map(|r| r.term)))
+        Some((lets, left.term, right.map(|r| r.term)))
     }
 
     /// The value of a block. An equation means the difference of its sides.
     fn body(&mut self, body: &Body) -> Option<Value> {
         let outer = self.scope.mark();
-        self.bindings(body);
+        let lets = self.bindings(body);
         let left = self.value(&body.left);
         let value = match &body.right {
             None => left,
@@ -165,11 +180,12 @@ impl Resolver<'_> {
             }
         };
         self.scope.leave(outer);
-        value
+        value.map(|value| value.after(lets))
     }
 
     /// The `let`s of a body, which stay in scope.
-    fn bindings(&mut self, body: &Body) {
+    fn bindings(&mut self, body: &Body) -> Vec<usize> {
+        let mut lets = Vec::new();
         for binding in &body.lets {
             let outer = std::mem::take(&mut self.deepest);
             let value = self.value(&binding.value);
@@ -187,10 +203,14 @@ impl Resolver<'_> {
                 continue;
             }
             match value {
-                Some(value) => self.bind(name, value, depth),
+                Some(value) => {
+                    lets.push(self.lets.len());
+                    self.bind(name, value, depth);
+                }
                 None => self.scope.declare(&name.text, scope::Meaning::Mistake),
             }
         }
+        lets
     }
 
     /// The depth of an expression that was resolved just now.

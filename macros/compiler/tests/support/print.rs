@@ -132,6 +132,7 @@ fn term(t: &Term) -> String {
             )
         }
         TermKind::Fold(kind, fold, body) => format!("{}@{fold}({})", fold_name(*kind), term(body)),
+        TermKind::Block(_, value) => term(value),
         TermKind::If(c, a, b) => {
             format!("if {} {{{}}} else {{{}}}", condition(c), term(a), term(b))
         }
