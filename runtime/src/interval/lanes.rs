@@ -97,7 +97,7 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// The largest whole number ≤ a.
     fn floor_f(self, a: Self::F) -> Self::F;
 
-    /// Is bit `B` (0 or 1) of the whole number n set, in two's complement, where `shifted` is n + [`WHOLE`]?
+    /// Is bit `B` (0 or 1) of the whole number n set, in two's complement, where `shifted` is n + 1.5·2⁵²?
     fn bit<const B: u32>(self, shifted: Self::F) -> Self::M;
     /// 2ⁿ for a whole number n in [−1022, 1023]; anything else gives garbage.
     fn pow2(self, n: Self::F) -> Self::F;
@@ -177,6 +177,17 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     fn fma_rd(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     /// An upper bound of a·b + c, as tight as [`fma_rd`](Self::fma_rd).
     fn fma_ru(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// A lower bound of a·b + c that may be as wide as roundings of the product and the sum: for leaves, whose inner
+    /// roundings are as large as what a tighter bound would save.
+    #[inline(always)]
+    fn mul_add_rd(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F {
+        self.fma_rd(a, b, c)
+    }
+    /// An upper bound of a·b + c, as wide as [`mul_add_rd`](Self::mul_add_rd).
+    #[inline(always)]
+    fn mul_add_ru(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F {
+        self.fma_ru(a, b, c)
+    }
 }
 
 /// 1.5·2⁵²: added to a number below 2⁵¹, it leaves the nearest whole number, in the low bits of the sum.

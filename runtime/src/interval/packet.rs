@@ -130,6 +130,7 @@ pub trait Packet:
     /// Where 0 is inside `den` and not in `num` these are two pieces: (−∞, first.hi] and [second.lo, ∞); where `den`
     /// only touches 0 it is one, unbounded on one side; where 0 is in both it is the line. `two`: both pieces are to be
     /// used. Elsewhere the first is the answer, and `empty` says where there is none (den = [0, 0], 0 ∉ num).
+    #[allow(clippy::type_complexity)]
     #[inline(always)]
     fn div_ext(
         self,

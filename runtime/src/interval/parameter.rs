@@ -83,8 +83,8 @@ fn minimum<P: Packet>(p: P, c0: P::F, c1: P::F, c2: P::F) -> (P::F, Interval<P::
 #[inline(always)]
 fn line<P: Packet>(p: P, c1: Interval<P::F>, c2: Interval<P::F>, t: P::F) -> Interval<P::F> {
     Interval {
-        lo: p.fma_rd(c2.lo, t, c1.lo),
-        hi: p.fma_ru(c2.hi, t, c1.hi),
+        lo: p.mul_add_rd(c2.lo, t, c1.lo),
+        hi: p.mul_add_ru(c2.hi, t, c1.hi),
     }
 }
 
@@ -115,8 +115,8 @@ fn linear_range<P: Packet>(
     let at_lo = p.select(p.lt(c1.lo, zero), t.hi, t.lo);
     let at_hi = p.select(p.lt(c1.hi, zero), t.lo, t.hi);
     Interval {
-        lo: p.fma_rd(c1.lo, at_lo, c0.lo),
-        hi: p.fma_ru(c1.hi, at_hi, c0.hi),
+        lo: p.mul_add_rd(c1.lo, at_lo, c0.lo),
+        hi: p.mul_add_ru(c1.hi, at_hi, c0.hi),
     }
 }
 
@@ -136,10 +136,10 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
             line(p, leaf.c1, leaf.c2, self.lo),
             line(p, leaf.c1, leaf.c2, self.hi),
         );
-        let lo0 = p.fma_rd(start.lo, self.lo, leaf.c0.lo);
-        let lo1 = p.fma_rd(end.lo, self.hi, leaf.c0.lo);
-        let hi0 = p.fma_ru(start.hi, self.lo, leaf.c0.hi);
-        let hi1 = p.fma_ru(end.hi, self.hi, leaf.c0.hi);
+        let lo0 = p.mul_add_rd(start.lo, self.lo, leaf.c0.lo);
+        let lo1 = p.mul_add_rd(end.lo, self.hi, leaf.c0.lo);
+        let hi0 = p.mul_add_ru(start.hi, self.lo, leaf.c0.hi);
+        let hi1 = p.mul_add_ru(end.hi, self.hi, leaf.c0.hi);
         // If the vertex may be inside, the extreme value over all t counts, which is always a bound.
         let low = p.select(
             outside(p, leaf.bottom, self),

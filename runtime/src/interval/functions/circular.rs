@@ -67,7 +67,7 @@ fn wave<P: Lanes>(p: P, a: Interval<P::F>, quarters: f64) -> Interval<P::F> {
     let end = sine_at(p, a.hi, quarters);
     // How many extrema lie between, modulo 4: never more than 2 unless the segment is about a period wide or wider.
     let count = p.add_rn(p.sub_rn(end.n, start.n), p.splat(WHOLE));
-    let wide = p.le(p.splat(6.283185), p.sub_ru(a.hi, a.lo));
+    let wide = p.le(p.splat(6.25), p.sub_ru(a.hi, a.lo));
     let both = p.or(wide, p.bit::<1>(count));
     let single = p.and_not(p.bit::<0>(count), p.bit::<1>(count));
     // The last extremum before b is a maximum if its number is odd: the first one above 0 is π/2.
@@ -87,7 +87,7 @@ pub fn tan<P: Lanes>(p: P, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
     let start = tangent_at(p, a.lo);
     let end = tangent_at(p, a.hi);
     let count = p.add_rn(p.sub_rn(end.n, start.n), p.splat(WHOLE));
-    let wide = p.le(p.splat(3.141592), p.sub_ru(a.hi, a.lo));
+    let wide = p.le(p.splat(3.125), p.sub_ru(a.hi, a.lo));
     let pole = p.or(wide, p.or(p.bit::<0>(count), p.bit::<1>(count)));
     let range = Interval {
         lo: p.select(pole, p.splat(f64::NEG_INFINITY), start.value.lo),

@@ -13,7 +13,7 @@ pub fn powi<P: Enclose>(p: P, a: Interval<P::F>, n: u32) -> Interval<P::F> {
         },
         1 => a,
         2 => p.i_sqr(a),
-        _ if n % 2 == 0 => {
+        _ if n.is_multiple_of(2) => {
             let m = p.i_abs(a);
             Interval {
                 lo: of_nonneg(p, m.lo, n).lo,

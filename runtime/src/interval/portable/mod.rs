@@ -60,6 +60,22 @@ fn up_one<R: Rounding>(x: f64) -> f64 {
     x + (x.abs() * PHI + ETA)
 }
 
+/// 2⁻⁵³(1 + 2⁻⁵⁰): φ with room for the roundings of a sum of three.
+const PHI_3: f64 = f64::from_bits(((1023 - 53) << 52) | 4);
+
+/// A lower bound of a·b + c from p = a·b and s = p + c, both to nearest: they err by u|p| (or η/2) and u|s|, u = 2⁻⁵³, and
+/// the last difference by another u|s|.
+#[inline(always)]
+fn product_sum_down<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
+    let p = a * b;
+    let s = p + c;
+    if !R::ON {
+        return s;
+    }
+    let s = if s > f64::MAX { f64::MAX } else { s };
+    s - ((p.abs() + s.abs() + s.abs()) * PHI_3 + 2.0 * ETA)
+}
+
 /// Lane by lane: `map!(i => expression of i)`.
 macro_rules! map {
     ($i:ident => $lane:expr) => {{
@@ -310,6 +326,14 @@ impl<R: Rounding> Lanes for Portable<R> {
     fn fma_ru(self, a: F, b: F, c: F) -> F {
         // The least upper bound of x is the negated greatest lower bound of −x.
         self.neg_f(fma_down::<R>(&self.neg_f(a), &b, &self.neg_f(c)))
+    }
+    #[inline(always)]
+    fn mul_add_rd(self, a: F, b: F, c: F) -> F {
+        map!(i => product_sum_down::<R>(a[i], b[i], c[i]))
+    }
+    #[inline(always)]
+    fn mul_add_ru(self, a: F, b: F, c: F) -> F {
+        map!(i => -product_sum_down::<R>(-a[i], b[i], -c[i]))
     }
 }
 
