@@ -106,9 +106,9 @@ fn store<P: Packet>(p: P, packet: &mut PacketRays, g: [P::F; 3], shown: u8) {
     let scale = p.select(p.lt(zero, towards), p.neg_f(scale), scale);
     for (axis, &component) in g.iter().enumerate() {
         let n = p.to_array(p.select(fine, p.mul_rn(component, scale), zero));
-        for lane in 0..8 {
+        for (lane, &component) in n.iter().enumerate() {
             if shown >> lane & 1 != 0 {
-                packet.normal[axis][lane] = n[lane] as f32;
+                packet.normal[axis][lane] = component as f32;
             }
         }
     }
