@@ -17,7 +17,7 @@ pub struct Arguments {
     pub size: u32,
 
     /// Which surface: any number gives another one
-    #[arg(long, default_value_t = 8, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 4, allow_negative_numbers = true)]
     pub seed: u64,
 
     /// What the search for roots uses

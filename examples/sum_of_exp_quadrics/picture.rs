@@ -80,11 +80,11 @@ fn shading() -> Shading {
     let right = DVec3::Z.cross(back).normalize();
     let up = back.cross(right);
     Shading {
-        light: (back * 1.1 + up * 1.0 - right * 0.8).as_vec3(),
-        ambient: 0.16,
-        highlight: 0.22,
-        colours: vec![Vec3::new(0.78, 0.26, 0.09)],
-        background: Vec3::new(0.90, 0.92, 0.95),
+        light: (back * 1.5 + up * 1.1 - right * 0.9).as_vec3(),
+        ambient: 0.13,
+        highlight: 0.4,
+        colours: vec![Vec3::new(0.03, 0.34, 0.46)],
+        background: Vec3::new(0.94, 0.925, 0.89),
         ..Shading::default()
     }
 }

@@ -74,6 +74,13 @@ pub fn statistics(out: &mut impl Write, s: &Statistics) -> Result<()> {
         "in packets",
         per_ray(packets)
     )?;
+    let unseen = s.rays - e.gradient;
+    writeln!(
+        out,
+        "{:<12}{unseen:>12}{:>10.3}   normals of rays that show nothing",
+        "skipped",
+        per_ray(unseen)
+    )?;
     phases(out, s)
 }
 
