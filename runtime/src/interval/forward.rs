@@ -186,7 +186,7 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn exp2(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::exp2)
+        functions::derived::exp2(self, a)
     }
     #[inline(always)]
     fn exp_m1(self, a: Interval<P::F>) -> Interval<P::F> {
@@ -206,14 +206,14 @@ impl<P: Enclose> Arithmetic for P {
     #[inline(always)]
     fn log2(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane(self, a, tested::log2),
+            functions::derived::log2(self, a),
             functions::domain::above(self, a, 0.0),
         )
     }
     #[inline(always)]
     fn log10(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane(self, a, tested::log10),
+            functions::derived::log10(self, a),
             functions::domain::above(self, a, 0.0),
         )
     }
@@ -260,7 +260,7 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn cosh(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, self.i_abs(a), tested::cosh)
+        functions::derived::cosh(self, a)
     }
     #[inline(always)]
     fn tanh(self, a: Interval<P::F>) -> Interval<P::F> {

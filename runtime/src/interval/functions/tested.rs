@@ -116,10 +116,6 @@ fn through_zero(a: Interval, steps: u32, f: fn(f64) -> f64, least: f64, greatest
 
 const INF: f64 = f64::INFINITY;
 
-/// 2ᵃ
-pub fn exp2(a: Interval, steps: u32) -> Interval {
-    increasing(a, steps, f64::exp2, 0.0, INF)
-}
 /// eᵃ − 1
 pub fn exp_m1(a: Interval, steps: u32) -> Interval {
     through_zero(a, steps, f64::exp_m1, -1.0, INF)
@@ -144,14 +140,6 @@ fn logarithm(a: Interval, steps: u32, f: fn(f64) -> f64, pole: f64) -> Interval 
     }
 }
 
-/// log₂ a
-pub fn log2(a: Interval, steps: u32) -> Interval {
-    logarithm(a, steps, f64::log2, 0.0)
-}
-/// log₁₀ a
-pub fn log10(a: Interval, steps: u32) -> Interval {
-    logarithm(a, steps, f64::log10, 0.0)
-}
 /// ln(1 + a)
 pub fn ln_1p(a: Interval, steps: u32) -> Interval {
     let y = logarithm(a, steps, f64::ln_1p, -1.0);
@@ -218,10 +206,6 @@ pub fn atan2(y: Interval, x: Interval, steps: u32) -> Interval {
 /// sinh a
 pub fn sinh(a: Interval, steps: u32) -> Interval {
     through_zero(a, steps, f64::sinh, -INF, INF)
-}
-/// cosh a for a ≥ 0, where it increases
-pub fn cosh(a: Interval, steps: u32) -> Interval {
-    increasing(a, steps, f64::cosh, 1.0, INF)
 }
 /// tanh a
 pub fn tanh(a: Interval, steps: u32) -> Interval {
