@@ -45,8 +45,8 @@ impl Contractor for Halley {
 
 /// By Taylor's theorem a root r = m + δ of T satisfies 0 ∈ f(m) + f'(m)δ + ½f''(T)δ². For δ ≥ 0 this says that the
 /// quadratic of the lower coefficients is ≤ 0 and that of the upper ones is ≥ 0; for δ ≤ 0 the same with −δ and −f'(m).
-/// Where f(m) > 0 (else mirror the signs), the first removes all δ before [`reach`] of the lower quadratic. The second
-/// is positive at δ = 0; where it is negative at the end of T, all δ behind its zero are removed: [`beyond`].
+/// Where f(m) > 0 (else mirror the signs), the first removes all δ before `reach` of the lower quadratic. The second
+/// is positive at δ = 0; where it is negative at the end of T, all δ behind its zero are removed (`beyond`).
 ///
 /// With D = f'(m)² − 2f(m)f''(T) the zeros are Halley's m − 2f(m)/(f'(m) ± √D).
 ///
