@@ -49,18 +49,18 @@ pub enum Verdict {
     },
 }
 
-/// Why a piece of a ray is undecided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// Why a piece of a ray is undecided. The later ones leave more open: on the first two f is defined and continuous.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Why {
     /// Rounding hides the sign of f: a root of even multiplicity at a kink, a cluster, or a root at the border of the
     /// domain.
     Floor,
-    /// The ray's budget of evaluations was spent; `t` is the whole rest of the ray.
-    Budget,
-    /// f may be undefined or discontinuous there.
-    Undefined,
     /// f cannot be told from 0 on a long piece: the ray runs in the surface, or closer to it than rounding can see.
     Flat,
+    /// f may be undefined or discontinuous there.
+    Undefined,
+    /// The ray's budget of evaluations was spent; `t` is the whole rest of the ray.
+    Budget,
 }
 
 impl Verdict {
@@ -85,23 +85,31 @@ impl Verdict {
         matches!(self, Verdict::Tangent { .. } | Verdict::Unresolved { .. })
     }
 
-    /// Appends a verdict that lies behind the others. An undecided piece that touches the one before it becomes one
-    /// with it, by their hull.
+    /// Appends a verdict that lies behind the others.
+    ///
+    /// An undecided piece that touches the one before it becomes one with it, by their hull, and of two reasons the one
+    /// that leaves more open is kept. A sign change that touches an undecided piece on which f is continuous becomes a
+    /// sign change somewhere in both: f is continuous on the hull, and has opposite signs around a part of it.
     pub(crate) fn append(&self, events: &mut Vec<Verdict>) {
-        if let (
-            Some(Verdict::Unresolved {
-                t: before,
-                why: old,
-            }),
-            Verdict::Unresolved { t, why },
-        ) = (events.last_mut(), *self)
+        if let (Some(last), Some(t)) = (events.last_mut(), self.t())
+            && let Verdict::Unresolved { t: before, why } = *last
             && t.lo <= before.hi
         {
-            before.hi = before.hi.max(t.hi);
-            if why != Why::Floor {
-                *old = why;
+            let hull = before.hull(&t);
+            match *self {
+                Verdict::Unresolved { why: other, .. } => {
+                    *last = Verdict::Unresolved {
+                        t: hull,
+                        why: why.max(other),
+                    };
+                    return;
+                }
+                Verdict::Crossing { .. } if why <= Why::Flat => {
+                    *last = Verdict::Crossing { t: hull };
+                    return;
+                }
+                _ => {}
             }
-            return;
         }
         events.push(*self);
     }
@@ -155,5 +163,64 @@ impl Answer {
             Verdict::Unresolved { .. } => self.behind.and_then(|v| v.t()),
             Verdict::Miss => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn open(lo: f64, hi: f64, why: Why) -> Verdict {
+        Verdict::Unresolved {
+            t: Interval { lo, hi },
+            why,
+        }
+    }
+
+    fn appended(verdicts: &[Verdict]) -> Vec<Verdict> {
+        let mut events = Vec::new();
+        for verdict in verdicts {
+            verdict.append(&mut events);
+        }
+        events
+    }
+
+    #[test]
+    fn touching_pieces_become_one() {
+        let list = [
+            open(1.0, 2.0, Why::Undefined),
+            open(2.0, 3.0, Why::Floor),
+            open(3.5, 4.0, Why::Floor),
+        ];
+        assert_eq!(
+            appended(&list),
+            [open(1.0, 3.0, Why::Undefined), open(3.5, 4.0, Why::Floor)]
+        );
+    }
+
+    #[test]
+    fn a_crossing_joins_only_what_is_continuous() {
+        let crossing = Verdict::Crossing {
+            t: Interval { lo: 2.0, hi: 3.0 },
+        };
+        let both = Verdict::Crossing {
+            t: Interval { lo: 1.0, hi: 3.0 },
+        };
+        assert_eq!(appended(&[open(1.0, 2.0, Why::Floor), crossing]), [both]);
+        let pole = open(1.0, 2.0, Why::Undefined);
+        assert_eq!(appended(&[pole, crossing]), [pole, crossing]);
+    }
+
+    #[test]
+    fn a_root_behind_an_open_piece_is_not_the_first() {
+        let root = Verdict::Root {
+            t: Interval { lo: 2.0, hi: 2.0 },
+        };
+        let answer = Answer::from_events(0.0, &[open(1.0, 2.0, Why::Floor), root]);
+        assert_eq!(
+            (answer.first, answer.behind),
+            (open(1.0, 2.0, Why::Floor), Some(root))
+        );
+        assert_eq!(Answer::from_events(0.0, &[]), Answer::miss(0.0));
     }
 }
