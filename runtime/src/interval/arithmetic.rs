@@ -1,6 +1,6 @@
 //! What generated code is written in: one body serves intervals, plain floats, packets and scalars.
 
-use super::{Flags, Interval, Packet, Truth};
+use super::{Flags, Interval, Number, Packet, Truth};
 
 /// A number system. Generated code is generic over it, so the same straight-line body encloses a surface over a
 /// packet of segments (every [`Packet`] is an `Arithmetic` on intervals) and approximates it in plain floats
@@ -17,6 +17,12 @@ pub trait Arithmetic: Copy {
 
     /// A value of the surface stage, the same in each lane.
     fn constant(self, c: &Interval) -> Self::Value;
+
+    /// An exact number of the formula.
+    #[inline(always)]
+    fn literal(self, n: &Number) -> Self::Value {
+        self.constant(&n.enclosure)
+    }
 
     /// No flags set.
     fn clear(self) -> Flags<Self::Packet>;

@@ -6,6 +6,7 @@ mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod enclose;
+mod fine;
 mod flags;
 mod forward;
 mod functions;
@@ -25,6 +26,7 @@ pub use arithmetic::Arithmetic;
 pub use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Avx512;
+pub use fine::{Ball, Fine};
 pub use flags::{Flags, Jet, Truth, Undecided};
 pub use functions::UNPROVED;
 pub use isa::{Isa, IsaError};
@@ -51,4 +53,13 @@ pub struct Interval<F = f64> {
     pub lo: F,
     /// The upper bound.
     pub hi: F,
+}
+
+/// An exact number that is no `f64`: a literal of a formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Number {
+    /// The tightest enclosure in `f64`.
+    pub enclosure: Interval,
+    /// The nearest double, and the nearest double to what is left: together within 2⁻¹⁰⁵ of it, relatively.
+    pub leading: [f64; 2],
 }

@@ -180,6 +180,18 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         functions::exp::anywhere(self.0, a)
     }
     #[inline(always)]
+    fn ln(self, a: P::F) -> (P::F, Flags<P>) {
+        (functions::ln::anywhere(self.0, a), self.clear())
+    }
+    #[inline(always)]
+    fn sin(self, a: P::F) -> P::F {
+        functions::circular::near(self.0, a, 0.0)
+    }
+    #[inline(always)]
+    fn cos(self, a: P::F) -> P::F {
+        functions::circular::near(self.0, a, 1.0)
+    }
+    #[inline(always)]
     fn pow(self, a: P::F, b: P::F) -> (P::F, Flags<P>) {
         (each2(self.0, a, b, f64::powf), self.clear())
     }
@@ -193,7 +205,7 @@ impl<P: Packet> Arithmetic for Nearest<P> {
     }
 
     per_lane! {
-        total: cbrt exp2 exp_m1 sin cos atan sinh cosh tanh asinh;
-        partial: ln ln_1p log2 log10 tan asin acos acosh atanh
+        total: cbrt exp2 exp_m1 atan sinh cosh tanh asinh;
+        partial: ln_1p log2 log10 tan asin acos acosh atanh
     }
 }

@@ -81,6 +81,12 @@ fn wave<P: Lanes>(p: P, a: Interval<P::F>, quarters: f64) -> Interval<P::F> {
     }
 }
 
+/// The sine of x + `quarters`·π/2 to a few units in the last place; NaN of NaN.
+#[inline(always)]
+pub fn near<P: Lanes>(p: P, x: P::F, quarters: f64) -> P::F {
+    p.select(p.eq(x, x), sine_at(p, x, quarters).value.lo, x)
+}
+
 /// tan a: increasing between its poles; the line, *undefined*, across one.
 #[inline(always)]
 pub fn tan<P: Lanes>(p: P, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {

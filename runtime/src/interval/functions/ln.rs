@@ -53,6 +53,15 @@ pub fn ln<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     }
 }
 
+/// ln x approximately, for every x: −∞ at 0, NaN below and of NaN.
+#[inline(always)]
+pub fn anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let (zero, infinity) = (p.splat(0.0), p.splat(f64::INFINITY));
+    let y = p.select(p.lt(zero, x), near(p, x), p.splat(f64::NAN));
+    let y = p.select(p.eq(x, infinity), infinity, y);
+    p.select(p.eq(x, zero), p.splat(f64::NEG_INFINITY), y)
+}
+
 /// ln x to within a unit in the last place (two without fused operations), for finite x > 0.
 #[inline(always)]
 pub fn near<P: Lanes>(p: P, x: P::F) -> P::F {

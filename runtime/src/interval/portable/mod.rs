@@ -4,11 +4,9 @@ mod error_free;
 
 use std::marker::PhantomData;
 
-use super::enclose::Enclose;
-use super::functions;
 use super::lanes::decompose;
 use super::sealed::Sealed;
-use super::{Directed, Interval, Kernel, Lanes, Rounding, Routine};
+use super::{Directed, Kernel, Lanes, Rounding, Routine};
 
 /// The token of the portable back-end.
 ///
@@ -101,6 +99,8 @@ macro_rules! test {
         out
     }};
 }
+
+mod enclose;
 
 impl<R: Rounding> Sealed for Portable<R> {}
 
@@ -369,66 +369,4 @@ fn fma_down<R: Rounding>(a: &F, b: &F, c: &F) -> F {
         }
     }
     out
-}
-
-/// Forwards interval operations to functions that are not inlined: in long formulas eight-lane loops inlined hundreds
-/// of times take minutes to compile and run no faster.
-macro_rules! not_inlined {
-    ($($name:ident($($operand:ident: $kind:ty),*) = $body:expr;)*) => {
-        $(#[inline(always)]
-        fn $name(self, $($operand: $kind),*) -> Interval<F> {
-            #[inline(never)]
-            fn inner<R: Rounding>(p: Portable<R>, $($operand: $kind),*) -> Interval<F> {
-                $body(p, $($operand),*)
-            }
-            inner(self, $($operand),*)
-        })*
-    };
-}
-
-impl<R: Rounding> Enclose for Portable<R> {
-    not_inlined! {
-        i_add(a: Interval<F>, b: Interval<F>) = add;
-        i_sub(a: Interval<F>, b: Interval<F>) = sub;
-        i_mul(a: Interval<F>, b: Interval<F>) = mul;
-        i_powi(a: Interval<F>, n: u32) = functions::power::powi;
-        i_exp(a: Interval<F>) = functions::exp::exp;
-        i_ln(a: Interval<F>) = functions::ln::ln;
-        i_sin(a: Interval<F>) = functions::circular::sin;
-        i_cos(a: Interval<F>) = functions::circular::cos;
-    }
-}
-
-#[inline(always)]
-fn add<R: Rounding>(p: Portable<R>, a: Interval<F>, b: Interval<F>) -> Interval<F> {
-    Interval {
-        lo: p.add_rd(a.lo, b.lo),
-        hi: p.add_ru(a.hi, b.hi),
-    }
-}
-
-#[inline(always)]
-fn sub<R: Rounding>(p: Portable<R>, a: Interval<F>, b: Interval<F>) -> Interval<F> {
-    Interval {
-        lo: p.sub_rd(a.lo, b.hi),
-        hi: p.sub_ru(a.hi, b.lo),
-    }
-}
-
-/// Four products to nearest; widened once per bound, after the minimum and maximum. See
-/// [`Enclose::i_mul`] for the NaN of 0·∞.
-#[inline(always)]
-fn mul<R: Rounding>(p: Portable<R>, a: Interval<F>, b: Interval<F>) -> Interval<F> {
-    let last = p.mend(p.mul_rn(a.hi, b.hi));
-    let (x, y, z) = (
-        p.mul_rn(a.hi, b.lo),
-        p.mul_rn(a.lo, b.hi),
-        p.mul_rn(a.lo, b.lo),
-    );
-    let lo = p.min_f(z, p.min_f(y, p.min_f(x, last)));
-    let hi = p.max_f(z, p.max_f(y, p.max_f(x, last)));
-    Interval {
-        lo: map!(i => down_one::<R>(lo[i])),
-        hi: map!(i => up_one::<R>(hi[i])),
-    }
 }

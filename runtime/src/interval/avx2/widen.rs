@@ -1,0 +1,90 @@
+//! Steps outward, and operations on the bits of four lanes.
+
+use std::arch::x86_64::*;
+
+use super::super::lanes::TWO_THIRDS;
+use super::super::{Lanes, Rounding};
+use super::{Avx2, Pair};
+
+/// φ = 2⁻⁵³(1 + 2⁻⁵²): a little more than half a unit in the last place of 1.
+const PHI: f64 = f64::from_bits(((1023 - 53) << 52) | 1);
+/// 2⁻¹⁰²¹: below it doubles are 2⁻¹⁰⁷⁴ apart, and |x|·φ is less than half of that.
+const GUARD: f64 = f64::from_bits(2 << 52);
+
+impl<R: Rounding> Avx2<R> {
+    /// [`Lanes::decompose`] of four lanes.
+    #[inline(always)]
+    pub(super) fn decompose_half(self, x: __m256d) -> (__m256d, __m256d) {
+        cpu!({
+            let bits = _mm256_castpd_si256(x);
+            let one = _mm256_set1_epi64x(1023 << 52);
+            let offset = _mm256_set1_epi64x(TWO_THIRDS as i64 - (1023 << 52));
+            let biased = _mm256_srli_epi64::<52>(_mm256_sub_epi64(bits, offset));
+            let scale = _mm256_sub_epi64(_mm256_slli_epi64::<52>(biased), one);
+            let whole =
+                _mm256_castsi256_pd(_mm256_or_si256(biased, _mm256_set1_epi64x(0x4330 << 48)));
+            let shift = _mm256_set1_pd(4_503_599_627_370_496.0 + 1023.0);
+            (
+                _mm256_castsi256_pd(_mm256_sub_epi64(bits, scale)),
+                _mm256_sub_pd(whole, shift),
+            )
+        })
+    }
+
+    /// The bits of `a` plus `steps`: as many doubles further on, for positive numbers.
+    #[inline(always)]
+    pub(super) fn moved(self, a: Pair, steps: i64) -> Pair {
+        cpu!({
+            let steps = _mm256_set1_epi64x(steps);
+            Pair(
+                _mm256_castsi256_pd(_mm256_add_epi64(_mm256_castpd_si256(a.0), steps)),
+                _mm256_castsi256_pd(_mm256_add_epi64(_mm256_castpd_si256(a.1), steps)),
+            )
+        })
+    }
+
+    /// A lower bound of a number that rounded to `x`, where the rounding was exact in subnormals (sums and roots).
+    ///
+    /// For normal x, |x|·φ is more than half the distance to the predecessor, so x − |x|·φ, rounded once, is at most
+    /// the predecessor. For subnormal x nothing moves, and nothing need. An overflow of finite operands rounded to +∞,
+    /// of which ∞ − ∞ would make a NaN: the minimum brings it down to MAX first. MAX is the first operand so that a NaN
+    /// stays one.
+    #[inline(always)]
+    pub(super) fn down(self, x: Pair) -> Pair {
+        if !R::ON {
+            return x;
+        }
+        let x = both!(_mm256_min_pd(self.splat(f64::MAX), x));
+        both!(_mm256_fnmadd_pd(self.abs_f(x), self.splat(PHI), x))
+    }
+    /// As [`down`](Self::down), above.
+    #[inline(always)]
+    pub(super) fn up(self, x: Pair) -> Pair {
+        if !R::ON {
+            return x;
+        }
+        let x = both!(_mm256_max_pd(self.splat(f64::MIN), x));
+        both!(_mm256_fmadd_pd(self.abs_f(x), self.splat(PHI), x))
+    }
+    /// As [`down`](Self::down), also where the rounding was in subnormals (products and quotients): with |x| raised to
+    /// 2⁻¹⁰²¹ the step is never less than 2⁻¹⁰⁷⁴. A bound of 0 therefore moves too.
+    #[inline(always)]
+    pub(super) fn down_guarded(self, x: Pair) -> Pair {
+        if !R::ON {
+            return x;
+        }
+        let x = both!(_mm256_min_pd(self.splat(f64::MAX), x));
+        let size = both!(_mm256_max_pd(self.abs_f(x), self.splat(GUARD)));
+        both!(_mm256_fnmadd_pd(size, self.splat(PHI), x))
+    }
+    /// As [`down_guarded`](Self::down_guarded), above.
+    #[inline(always)]
+    pub(super) fn up_guarded(self, x: Pair) -> Pair {
+        if !R::ON {
+            return x;
+        }
+        let x = both!(_mm256_max_pd(self.splat(f64::MIN), x));
+        let size = both!(_mm256_max_pd(self.abs_f(x), self.splat(GUARD)));
+        both!(_mm256_fmadd_pd(size, self.splat(PHI), x))
+    }
+}
