@@ -5,6 +5,12 @@ use crate::diagnostic::{Diagnostic, Place};
 messages! {
     /// `pub enum S`
     not_a_struct() "expected `struct`";
+    /// `S { r: f64 }`
+    struct_missing(name: &str) "expected `struct` before `{name}`";
+    /// `struct S { x^2 = 1 }`
+    formula_as_field() "expected a field, found a formula" => "the formula stands behind the braces";
+    /// `struct S { r: f64 }; x`
+    semicolon() "no `;` stands between the fields and the formula" => "remove the `;`";
     /// `struct ;`
     struct_name() "expected the surface's name after `struct`";
     /// `struct S<T>`
@@ -28,11 +34,14 @@ messages! {
     /// `r: f32`
     field_type() "the numbers of a field must be `f64`" => "enclosures are computed in `f64`";
     /// `r: Vec<f64>`
-    field_vec() "this type is not a number or a table" => "a table of any length is written `[f64]`";
+    field_vec() "this type is not a number or a table"
+        => "a number is `f64`, a table `[f64; 8]`, or `[f64]` if its length is open";
     /// `t: [[f64]; 3]`
     ragged() "only the outermost length of a table may be left open" => "write the length: `[f64; n]`";
     /// `t: [f64; N]`
     table_length() "the length of a table must be a whole number";
+    /// `t: f64[8]`, `t: [f64, 8]`
+    table_form(length: &str) "a table and its length are joined by `;`" => "write `[…; {length}]`";
     /// `t: [f64; 0]`
     table_empty() "this table is empty";
     /// `t: [f64; 1000000000000]`
@@ -55,6 +64,8 @@ messages! {
     domain_axes() "a domain needs all three axes" => "`#[domain(x in -1..1, y in -1..1, z in -1..1)]`";
     /// `#[domain(x in 1, …)]`
     domain_interval() "expected an interval" => "write `-1..1`";
+    /// `#[domain(x in -1..=1, …)]`
+    domain_closed() "an interval is written with two dots" => "write `..`: both ends belong to the domain";
     /// `#[domain]` twice
     domain_twice() "the domain is given twice";
     /// `struct S { #[domain(…)] r: f64 }`

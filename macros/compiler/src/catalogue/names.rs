@@ -17,6 +17,11 @@ messages! {
     /// `PI`
     unknown_constant(name: &str, constant: &str) "cannot find `{name}` in this formula"
         => "the constant is `{constant}`";
+    /// `f = x^2 - 1`, `f(x, y, z) = x^2 - 1`
+    named_formula(name: &str) "cannot find `{name}` in this formula"
+        => "a formula has no name: write its value alone, without `{name}` and `=`";
+    /// `inf`
+    not_finite(name: &str) "cannot find `{name}` in this formula" => "the numbers of a formula are finite";
     /// `e`
     unknown_e(name: &str) "cannot find `{name}` in this formula" => "write `exp(1)`, or declare a field `{name}`";
     /// A loop variable outside of its fold, or a `let` before it.
@@ -49,6 +54,12 @@ messages! {
     /// `max(x, y, z)`
     arity_fold(name: &str, takes: &str, given: &str) "`{name}` takes {takes}, but {given} given"
         => "nest the calls, or fold a table: `{name}(a in t) {{ … }}`";
+    /// `hypot(x, y, z)`
+    arity_hypot(name: &str, takes: &str, given: &str) "`{name}` takes {takes}, but {given} given"
+        => "write `sqrt(a^2 + b^2 + c^2)`";
+    /// `t.len()`
+    length_of_table() "the length of a table is not a number of the formula"
+        => "fold over the table: `sum(a in t) {{ … }}`";
     /// `let x = y;`
     hides_coordinate(name: &str) "`{name}` hides the coordinate `{name}`" => "choose another name";
     /// `let pi = 3;`

@@ -55,8 +55,32 @@ messages! {
     two_patterns() "a fold runs over one range or table" => "put one fold inside another";
     /// `sum([1, x] in t) { … }`
     pattern() "expected a name or `_`";
-    /// `x.length`
-    member(name: &str) "a number has no member `{name}`" => "a method is called with brackets: `x.sin()`";
+    /// `x.length`, `x.sqrt`
+    member(name: &str, method: &str) "a number has no member `{name}`"
+        => "a method is called with brackets: `x.{method}()`";
+    /// `p.x`, `t.0`
+    component(name: &str) "there is no `.{name}` here"
+        => "the coordinates are `x`, `y` and `z`, the numbers of a table `t[0]`, `t[1]` and so on";
+    /// `let f(t) = t^2;`, `fn f(t: f64) -> f64 { t*t }`
+    function_inside() "functions cannot be defined inside a formula" => "name values with `let`";
+    /// `const A = 2;`
+    not_let(word: &str, name: &str) "`{word}` is not part of a formula" => "write `let {name} = …;`";
+    /// `use std::f64::consts::PI;`
+    import_inside() "a formula imports nothing" => "its functions and constants are known without `use`";
+    /// `struct A; x = 1 struct B; y = 1`
+    second_surface() "a macro call holds one surface" => "write another `implicit! {{ … }}` for this one";
+    /// `sin^2(x)`
+    power_of_function(name: &str, power: &str) "a power stands behind the brackets of a function"
+        => "write `{name}(…)^{power}`";
+    /// `sum i in 0..8 { … }`
+    fold_brackets(name: &str) "expected brackets after `{name}`" => "write `{name}(i in 0..8) {{ … }}`";
+    /// `sum(i = 0..8) { … }`, `sum(a, b in t) { … }`
+    fold_header(instead: &str) "expected a name, `in`, and a range or a table" => "write `{instead}`";
+    /// `sum(i in 0..8, i*x)`
+    fold_value(name: &str) "the value of a fold stands in a block behind its brackets"
+        => "write `{name}(…) {{ … }}`";
+    /// `if x > 0 { y } elif z > 0 { z } else { x }`
+    else_if(word: &str) "`{word}` is not part of a formula" => "write `else if`";
     /// 2,000 `let`s, each made of the one before.
     lets_too_deep(most: u32) "the `let`s up to here are nested deeper than {most} levels"
         => "fold over a range or a table";

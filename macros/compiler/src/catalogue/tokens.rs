@@ -24,6 +24,12 @@ messages! {
         => "compare with `<`, `<=`, `>` or `>=`";
     /// `a += y`
     assignment(operator: &str) "`{operator}` assigns, and a formula has no variables to assign" => "use `let`";
+    /// `if x > 0 and y > 0 { … }`
+    word_operator(word: &str, operator: &str) "`{word}` is not an operator here" => "write `{operator}`";
+    /// `if not x > 0 { … }`
+    word_not() "`not` is not an operator here" => "turn the comparison around: `x <= 0` for `not x > 0`";
+    /// `"x^2 + y^2"`
+    quoted() "text is not a value" => "a formula stands without quotes";
     /// `c ? a : b`
     ternary() "`?` is not an operator here" => "write `if c {{ a }} else {{ b }}`";
     /// `f64::sin(x)`

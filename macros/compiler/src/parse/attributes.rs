@@ -103,7 +103,11 @@ impl Parser<'_> {
                 self.report(head::domain_axes(attribute));
                 return None;
             }
-            match self.over(cursor) {
+            let (over, closed) = self.interval(cursor);
+            if let Some(dots) = closed {
+                self.report(head::domain_closed(dots));
+            }
+            match over {
                 Over::Range(lower, upper) => *axis = Some([lower, upper]),
                 Over::Table(value) => self.report(head::domain_interval(value.place)),
             }

@@ -1,7 +1,7 @@
 //! `let`s, then a value or an equation.
 
 use super::cursor::Cursor;
-use super::token::TokenKind;
+use super::token::{Token, TokenKind};
 use super::{Parser, error, keyword, name};
 use crate::ast::{Body, Expr, ExprKind, Let, Name};
 use crate::catalogue::{syntax, tokens};
@@ -13,9 +13,17 @@ impl Parser<'_> {
         let mut lets = Vec::new();
         loop {
             self.stray_attributes(cursor);
-            while cursor.at_word("let") {
-                lets.push(self.binding(cursor));
+            while let Some(binding) = self.binding_or_item(cursor) {
+                lets.push(binding);
                 self.stray_attributes(cursor);
+            }
+            if self.second_surface(cursor) {
+                let left = error(cursor.last(), Vec::new());
+                return Body {
+                    lets,
+                    left,
+                    right: None,
+                };
             }
             if cursor.at_end() {
                 // After a `let` without its `;` one message is enough.
@@ -35,6 +43,9 @@ impl Parser<'_> {
                 return Body { lets, left, right };
             };
             let sound = self.diagnostics.len() == mistakes;
+            if self.second_surface(cursor) {
+                return Body { lets, left, right };
+            }
             if cursor.at_end() {
                 if sound {
                     self.report(syntax::discarded(semicolon));
@@ -77,7 +88,7 @@ impl Parser<'_> {
             .place
             .to(right.as_ref().map_or(left.place, |r| r.place));
         match (left.kind, right) {
-            (ExprKind::Name(name), Some(value)) => {
+            (ExprKind::Name(name), Some(value)) if !coordinate(&name.text) => {
                 if sound {
                     self.report(syntax::discarded_binding(place, &name.text));
                 }
@@ -129,11 +140,13 @@ impl Parser<'_> {
 
     /// Reports what stands before the separator, or before the end, and skips it.
     pub(super) fn leftover(&mut self, cursor: &mut Cursor, separators: &[&str]) {
-        let Some(token) = cursor.token(0) else { return };
-        if separators.contains(&cursor.operator(0)) {
+        if separators.contains(&cursor.operator(0)) || self.second_surface(cursor) {
             return;
         }
-        let (text, place) = (token.text(), cursor.place());
+        let Some(text) = cursor.token(0).map(Token::text) else {
+            return;
+        };
+        let place = cursor.place();
         self.report(match text.as_str() {
             "=" => syntax::equation_inside(place),
             "+=" | "-=" | "*=" | "/=" | "%=" | "^=" | "|=" | "&=" => {
@@ -145,6 +158,14 @@ impl Parser<'_> {
         cursor.skip_to(separators);
     }
 
+    /// `let name = value;`, or an item in its place.
+    fn binding_or_item(&mut self, cursor: &mut Cursor) -> Option<Let> {
+        if cursor.at_word("let") {
+            return Some(self.binding(cursor));
+        }
+        self.item(cursor)
+    }
+
     /// `let name = value;`
     fn binding(&mut self, cursor: &mut Cursor) -> Let {
         cursor.take();
@@ -152,6 +173,9 @@ impl Parser<'_> {
             self.report(syntax::let_mut(place));
         }
         let name = self.binding_name(cursor);
+        if let Some(function) = self.let_function(cursor, &name) {
+            return function;
+        }
         if cursor.operator(0) == ":" {
             let start = cursor.place();
             cursor.skip_to(&["=", ";"]);
@@ -229,4 +253,8 @@ impl Parser<'_> {
             cursor.eat(";");
         }
     }
+}
+
+fn coordinate(name: &str) -> bool {
+    matches!(name, "x" | "y" | "z")
 }

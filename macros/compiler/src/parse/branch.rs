@@ -13,7 +13,11 @@ impl Parser<'_> {
         cursor.take();
         let condition = self.condition(cursor);
         let then = self.branch_block(cursor);
-        let otherwise = if cursor.eat_word("else").is_none() {
+        let otherwise = if let Some(word) = Self::else_if_ahead(cursor) {
+            self.report(syntax::else_if(cursor.place(), &word));
+            self.deeper(cursor, Self::branch)
+                .unwrap_or_else(|| error(place, Vec::new()))
+        } else if cursor.eat_word("else").is_none() {
             // After a missing block the `else` is not looked for.
             if cursor.last().order > condition.place.order && !then.is_error() {
                 self.report(syntax::no_else(place));
@@ -27,6 +31,12 @@ impl Parser<'_> {
         };
         let place = place.to(cursor.last());
         self.expr(ExprKind::If(Box::new([condition, then, otherwise])), place)
+    }
+
+    /// The word of another language for `else if`.
+    fn else_if_ahead(cursor: &Cursor) -> Option<String> {
+        let word = cursor.word(0)?.to_string();
+        matches!(word.as_str(), "elseif" | "elif" | "elsif").then_some(word)
     }
 
     /// What stands between `if` and its block.

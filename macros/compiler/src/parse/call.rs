@@ -5,6 +5,8 @@ use super::token::TokenKind;
 use super::{Parser, error, name};
 use crate::ast::{Expr, ExprKind, Name};
 use crate::catalogue::{syntax, tokens};
+use crate::diagnostic::Place;
+use crate::functions::Function;
 use proc_macro2::{Delimiter, Group};
 
 impl Parser<'_> {
@@ -19,6 +21,9 @@ impl Parser<'_> {
             self.report(tokens::macro_call(place));
             cursor.take();
             return error(place, Vec::new());
+        }
+        if let Some(mistake) = self.habit(cursor, &name) {
+            return mistake;
         }
         let Some(group) = cursor.group(0, Delimiter::Parenthesis).cloned() else {
             let place = name.place;
@@ -54,9 +59,9 @@ impl Parser<'_> {
         let Some(word) = cursor.word(0).cloned() else {
             return match cursor.token(0) {
                 Some(token) if matches!(token.kind, TokenKind::Literal(_)) => {
-                    self.report(syntax::member(place, &token.text()));
+                    self.report(syntax::component(place, &token.text()));
                     cursor.take();
-                    error(start.to(place), vec![receiver])
+                    error(start.to(place), Vec::new())
                 }
                 Some(token) => {
                     self.report(syntax::unexpected(
@@ -74,14 +79,25 @@ impl Parser<'_> {
         cursor.take();
         let method = name(word, place);
         let Some(group) = cursor.group(0, Delimiter::Parenthesis).cloned() else {
-            self.report(syntax::member(place, &method.text));
-            return error(start.to(place), vec![receiver]);
+            return self.no_member(start.to(place), &method, receiver);
         };
         let whole = start.to(cursor.place());
         cursor.take();
         let mut arguments = vec![receiver];
         arguments.extend(self.arguments(cursor, &group));
         self.expr(ExprKind::Call(method, arguments), whole)
+    }
+
+    /// `c.x`, `x.sqrt`: a member that is not called.
+    fn no_member(&mut self, whole: Place, member: &Name, receiver: Expr) -> Expr {
+        if matches!(member.text.as_str(), "x" | "y" | "z") {
+            self.report(syntax::component(member.place, &member.text));
+            // `p.x` is one mistake, even if there is no `p`.
+            return error(whole, Vec::new());
+        }
+        let method = Function::find(&member.text).map_or("sin", |f| f.entry().name);
+        self.report(syntax::member(member.place, &member.text, method));
+        error(whole, vec![receiver])
     }
 
     /// `a::b::c`, called or not. The first name is taken.

@@ -198,6 +198,11 @@ impl Cursor {
         }
     }
 
+    /// Puts what is left of a group in front.
+    pub fn prepend(&mut self, mut group: Cursor) {
+        self.rest.append(&mut group.rest);
+    }
+
     /// Is there a `;` ahead, before any `let`?
     pub fn semicolon_ahead(&self) -> bool {
         for token in self.rest.iter().rev() {

@@ -49,6 +49,11 @@ impl Parser<'_> {
             if found < least {
                 break;
             }
+            // `if (x > 0) y`: the block lacks its braces.
+            let last = rest.last().map_or(&first, |(_, last)| last);
+            if matches!(next, Next::Operand) && cursor.condition && compares(last) {
+                break;
+            }
             // A looser operator: what was collected so far is its left operand.
             if found != level {
                 first = self.chain(first, std::mem::take(&mut rest));
@@ -95,6 +100,8 @@ impl Parser<'_> {
             "*" => arithmetic(PRODUCT, Operator::Multiply),
             "/" => arithmetic(PRODUCT, Operator::Divide),
             "%" | "<<" | ">>" => operator(PRODUCT, Join::Mistake),
+            "" if cursor.at_word("or") => operator(OR, Join::Mistake),
+            "" if cursor.at_word("and") => operator(AND, Join::Mistake),
             "" if self.operand_ahead(cursor) => Some((PRODUCT, Next::Operand)),
             _ => None,
         }
@@ -111,7 +118,7 @@ impl Parser<'_> {
             Some(TokenKind::Word(_)) if cursor.operator(1) == ":" => false,
             Some(TokenKind::Word(word)) => !matches!(
                 word.to_string().as_str(),
-                "in" | "else" | "let" | "for" | "as" | "pub"
+                "in" | "else" | "let" | "for" | "as" | "pub" | "struct" | "then" | "and" | "or"
             ),
             Some(TokenKind::Literal(_)) => true,
             Some(TokenKind::Group(group)) => group.delimiter() != Delimiter::Brace,
@@ -130,6 +137,8 @@ impl Parser<'_> {
                 self.report(tokens::equality_test(place, operator))
             }
             operator @ ("==" | "!=") => self.report(tokens::double_equals(place, operator)),
+            _ if cursor.at_word("and") => self.report(tokens::word_operator(place, "and", "&&")),
+            _ if cursor.at_word("or") => self.report(tokens::word_operator(place, "or", "||")),
             _ => {}
         }
     }
@@ -154,7 +163,7 @@ impl Parser<'_> {
     }
 
     /// `a^b`; the exponent may have a sign and powers of its own.
-    fn power(&mut self, cursor: &mut Cursor) -> Expr {
+    pub(super) fn power(&mut self, cursor: &mut Cursor) -> Expr {
         let base = self.postfix(cursor);
         match cursor.operator(0) {
             "**" => self.report(tokens::double_star(cursor.place())),
@@ -170,4 +179,9 @@ impl Parser<'_> {
         let kind = ExprKind::Binary(Operator::Power, Box::new(base), Box::new(exponent));
         self.expr(kind, place)
     }
+}
+
+/// Is this a comparison?
+fn compares(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Compare(..) | ExprKind::Logic(..))
 }

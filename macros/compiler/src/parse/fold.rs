@@ -6,6 +6,7 @@ use super::token::{Token, TokenKind};
 use super::{Parser, error, keyword, name};
 use crate::ast::{Body, Expr, ExprKind, Fold, Name, Over, Pattern};
 use crate::catalogue::syntax;
+use crate::diagnostic::Place;
 use crate::tree::FoldKind;
 use num_rational::BigRational;
 use num_traits::One;
@@ -40,8 +41,23 @@ impl Parser<'_> {
         let mut pattern = self.pattern(&mut inner);
         inner.take();
         let over = self.over(&mut inner);
-        self.more_patterns(&mut inner, &mut pattern);
-        let body = self.block(cursor);
+        let value = self.more_patterns(&mut inner, &mut pattern);
+        let body = match value {
+            Some(comma) if cursor.group(0, Delimiter::Brace).is_none() => {
+                self.report(syntax::fold_value(comma, &folder.text));
+                let left = self.expression(&mut inner);
+                self.leftover(&mut inner, &[]);
+                Body {
+                    lets: Vec::new(),
+                    left: error(left.place, vec![left]),
+                    right: None,
+                }
+            }
+            _ => {
+                self.leftover(&mut inner, &[]);
+                self.block(cursor)
+            }
+        };
         let place = folder.place.to(cursor.last());
         let fold = Fold {
             kind,
@@ -53,10 +69,12 @@ impl Parser<'_> {
     }
 
     /// What follows the range or table of a fold. Variables of more patterns are known in the body.
-    fn more_patterns(&mut self, cursor: &mut Cursor, pattern: &mut Pattern) {
+    ///
+    /// Returns the comma before something that is not a pattern.
+    fn more_patterns(&mut self, cursor: &mut Cursor, pattern: &mut Pattern) -> Option<Place> {
         while let Some(comma) = cursor.eat(",") {
             if !Self::fold_ahead(cursor) {
-                break;
+                return (!cursor.at_end()).then_some(comma);
             }
             self.report(syntax::two_patterns(comma));
             let more = self.pattern(cursor);
@@ -65,7 +83,7 @@ impl Parser<'_> {
             cursor.take();
             self.over(cursor);
         }
-        self.leftover(cursor, &[]);
+        None
     }
 
     /// The variables before `in`.
@@ -120,29 +138,38 @@ impl Parser<'_> {
 
     /// `start..end`, or a table.
     pub(super) fn over(&mut self, cursor: &mut Cursor) -> Over {
-        let first = self.expression(cursor);
-        let operator = cursor.operator(0);
-        let dots = cursor.place();
-        if !matches!(operator, ".." | "..=" | "...") {
-            return Over::Table(first);
-        }
-        cursor.take();
-        let last = self.expression(cursor);
-        if operator != ".." {
-            let half_open = match (whole(&first), whole(&last)) {
+        let (over, closed) = self.interval(cursor);
+        if let (Over::Range(first, last), Some(dots)) = (&over, closed) {
+            let half_open = match (whole(first), whole(last)) {
                 (Some(a), Some(b)) => format!("{a}..{}", b + BigRational::one()),
                 _ => "start..end + 1".to_owned(),
             };
             self.report(syntax::inclusive_range(dots, &half_open));
         }
-        Over::Range(first, last)
+        over
+    }
+
+    /// `start..end`, or a value; with the place of `..=` or `...`.
+    pub(super) fn interval(&mut self, cursor: &mut Cursor) -> (Over, Option<Place>) {
+        let first = self.expression(cursor);
+        let operator = cursor.operator(0);
+        let dots = cursor.place();
+        if !matches!(operator, ".." | "..=" | "...") {
+            return (Over::Table(first), None);
+        }
+        cursor.take();
+        let last = self.expression(cursor);
+        (Over::Range(first, last), (operator != "..").then_some(dots))
     }
 
     /// A block in braces, which must follow.
     pub(super) fn block(&mut self, cursor: &mut Cursor) -> Body {
         let last = cursor.last();
-        let Some(group) = cursor.group(0, Delimiter::Brace).cloned() else {
+        if cursor.group(0, Delimiter::Brace).is_none() {
             self.report(syntax::block(last));
+            cursor.eat_word("then");
+        }
+        let Some(group) = cursor.group(0, Delimiter::Brace).cloned() else {
             // The value without its braces.
             let left = if self.operand_ahead(cursor) {
                 self.expression(cursor)
@@ -180,7 +207,7 @@ impl Parser<'_> {
         self.statement(cursor, place)
     }
 
-    fn statement(&mut self, cursor: &mut Cursor, place: crate::diagnostic::Place) -> Expr {
+    fn statement(&mut self, cursor: &mut Cursor, place: Place) -> Expr {
         let end = |token: &Token| match &token.kind {
             TokenKind::Operator(text) => matches!(*text, ";" | ","),
             _ => false,

@@ -15,8 +15,12 @@ impl Parser<'_> {
     pub(super) fn head(&mut self, cursor: &mut Cursor) -> Option<Head> {
         let attributes = self.attributes(cursor);
         let visibility = visibility(cursor);
-        let item = cursor.word(0).map_or(String::new(), Ident::to_string);
-        if item != "struct" {
+        let mut item = cursor.word(0).map_or(String::new(), Ident::to_string);
+        let nameless = !keyword(&item) && fields_follow(cursor);
+        if nameless {
+            self.report(head::struct_missing(cursor.place(), &item));
+            item = "struct".to_owned();
+        } else if item != "struct" {
             // `pub x^2` lacks the whole head; `pub enum S` is a head with a wrong word.
             let wrong = matches!(
                 item.as_str(),
@@ -30,7 +34,9 @@ impl Parser<'_> {
                 return None;
             }
         }
-        cursor.take();
+        if !nameless {
+            cursor.take();
+        }
         cursor.open();
         let name = self.struct_name(cursor);
         let fields = if item == "struct" {
@@ -86,7 +92,16 @@ impl Parser<'_> {
         if let Some(group) = cursor.group(0, Delimiter::Brace).cloned() {
             cursor.take();
             let mut inner = cursor.inside(&group);
-            return self.fields(&mut inner);
+            let fields = self.fields(&mut inner);
+            if !inner.at_end() {
+                // The formula stands between the braces: it is read from there.
+                cursor.prepend(inner);
+            }
+            if cursor.operator(0) == ";" {
+                self.report(head::semicolon(cursor.place()));
+                cursor.take();
+            }
+            return fields;
         }
         if cursor.group(0, Delimiter::Parenthesis).is_some() {
             self.report(head::tuple_struct(cursor.place()));
@@ -95,6 +110,9 @@ impl Parser<'_> {
             return None;
         }
         self.report(head::struct_end(cursor.last()));
+        if matches!(cursor.operator(0), ":" | "=" | "=>" | "->") {
+            cursor.take();
+        }
         None
     }
 
@@ -102,6 +120,10 @@ impl Parser<'_> {
         let mut fields: Vec<Field> = Vec::new();
         let mut readable = true;
         while !cursor.at_end() {
+            if formula_ahead(cursor) {
+                self.report(head::formula_as_field(cursor.place()));
+                return None;
+            }
             let Some(field) = self.field(cursor) else {
                 readable = false;
                 cursor.skip_to(&[","]);
@@ -177,6 +199,9 @@ impl Parser<'_> {
             return;
         };
         self.report(head::field_end(cursor.place(), &text));
+        if cursor.eat(";").is_some() {
+            return;
+        }
         let field = cursor.operator(1) == ":" || cursor.at_word("pub") || cursor.operator(0) == "#";
         if !field {
             cursor.skip_to(&[","]);
@@ -202,4 +227,19 @@ fn skip_item(cursor: &mut Cursor) {
             break;
         }
     }
+}
+
+/// Does `Name { field: …` stand here?
+fn fields_follow(cursor: &Cursor) -> bool {
+    let Some(group) = cursor.group(1, Delimiter::Brace) else {
+        return false;
+    };
+    let inner = cursor.inside(group);
+    cursor.word(0).is_some() && (inner.operator(1) == ":" || inner.at_word("pub"))
+}
+
+/// Does a formula stand where a field should be? It begins with a coordinate, and a field with a name and a colon.
+fn formula_ahead(cursor: &Cursor) -> bool {
+    let coordinate = ["x", "y", "z"].iter().any(|axis| cursor.at_word(axis));
+    coordinate && !matches!(cursor.operator(1), ":" | "=" | ",")
 }

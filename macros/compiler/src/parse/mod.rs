@@ -11,7 +11,9 @@ mod chain;
 mod cursor;
 mod expression;
 mod fold;
+mod habits;
 mod head;
+mod items;
 mod mistakes;
 mod number;
 mod primary;
@@ -36,6 +38,7 @@ pub fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Input {
         reported_at: None,
     };
     let mut cursor = Cursor::new(input);
+    parser.imports(&mut cursor);
     let head = parser.head(&mut cursor);
     let expression_form = head.is_none() && parser.diagnostics.is_empty();
     let mut body = parser.body(&mut cursor);

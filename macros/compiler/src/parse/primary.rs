@@ -52,6 +52,10 @@ impl Parser<'_> {
                 "for" | "while" | "loop" => self.loop_statement(cursor),
                 "match" => self.match_statement(cursor),
                 "self" if cursor.operator(1) != "::" => self.this(cursor),
+                "mod" if cursor.group(1, Delimiter::Parenthesis).is_some() => {
+                    cursor.take();
+                    self.named(cursor, name(word, place))
+                }
                 text if keyword(text) && cursor.operator(1) != "::" => self.found_instead(cursor),
                 _ => {
                     cursor.take();
@@ -109,6 +113,9 @@ impl Parser<'_> {
     fn literal(&mut self, cursor: &mut Cursor, text: &str, place: Place) -> Expr {
         let mistake = match number(text) {
             Number::Exact(value) => return self.expr(ExprKind::Number(value), place),
+            Number::Other if text.starts_with('"') || text.starts_with('r') => {
+                tokens::quoted(place)
+            }
             Number::Other => syntax::value_found(place, text),
             Number::Suffixed(digits, suffix) if typed(suffix) => {
                 tokens::typed_number(place, digits)

@@ -3,7 +3,7 @@
 use super::Parser;
 use super::cursor::Cursor;
 use super::number::{Number, number};
-use super::token::TokenKind;
+use super::token::{Token, TokenKind};
 use crate::ast::Type;
 use crate::catalogue::head;
 use crate::diagnostic::Place;
@@ -26,6 +26,12 @@ impl Parser<'_> {
         cursor.open();
         if let Some(word) = cursor.word(0).filter(|word| *word == "f64").cloned() {
             cursor.take();
+            if let Some(length) = cursor.group(0, Delimiter::Bracket).cloned() {
+                let place = cursor.place();
+                cursor.take();
+                self.report(head::table_form(place, &length.stream().to_string()));
+                return number_type();
+            }
             return Type {
                 shape: Shape::Number,
                 sound: true,
@@ -62,7 +68,12 @@ impl Parser<'_> {
             };
         }
         if inner.eat(";").is_none() {
-            self.report(head::table_length(inner.place()));
+            let comma = inner.place();
+            let length = inner.token(1).map(Token::text);
+            self.report(match length {
+                Some(length) if inner.operator(0) == "," => head::table_form(comma, &length),
+                _ => head::table_length(comma),
+            });
             return number_type();
         }
         let Some((length, literal)) = self.table_length(&mut inner) else {
@@ -145,6 +156,11 @@ impl Parser<'_> {
                 | "u128"
                 | "usize"
                 | "bool"
+                | "float"
+                | "double"
+                | "real"
+                | "number"
+                | "F64"
         );
         self.report(if primitive {
             head::field_type(place)

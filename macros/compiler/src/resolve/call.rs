@@ -1,7 +1,7 @@
 //! Calls of functions.
 
 use super::expression::term;
-use super::scope::Found;
+use super::scope::{Found, Meaning};
 use super::{Resolver, Value, constant, nearest};
 use crate::ast::{Expr, Name};
 use crate::catalogue::{constants, names, shapes};
@@ -15,8 +15,14 @@ impl Resolver<'_> {
     /// A call, as a function or as a method.
     pub(super) fn call(&mut self, place: Place, name: &Name, arguments: &[Expr]) -> Option<Value> {
         let Some(function) = Function::find(&name.text) else {
-            let mistake = self.unknown_function(name);
-            self.diagnostics.push(mistake);
+            // A `let` with a mistake may have meant to be a function.
+            if !matches!(
+                self.find(&name.text),
+                Some(Found::Declared(Meaning::Mistake))
+            ) {
+                let mistake = self.unknown_function(name);
+                self.diagnostics.push(mistake);
+            }
             arguments
                 .iter()
                 .for_each(|argument| self.names_in(argument));
@@ -82,8 +88,11 @@ impl Resolver<'_> {
             Some(_) => return names::call_of_number(place, text),
             None => {}
         }
-        if text == "log" {
-            return names::ambiguous_log(place);
+        match text {
+            "log" => return names::ambiguous_log(place),
+            "len" => return names::length_of_table(place),
+            "f" => return names::named_formula(place, text),
+            _ => {}
         }
         if nearest::jumps(text) {
             return names::jumps(place, text);
@@ -110,6 +119,8 @@ fn arity(place: Place, name: &str, function: Function, given: usize) -> Diagnost
     };
     if matches!(function, Function::Min | Function::Max) && given != 2 {
         names::arity_fold(place, name, &takes, &are)
+    } else if function == Function::Hypot && given == 3 {
+        names::arity_hypot(place, name, &takes, &are)
     } else {
         names::arity(place, name, &takes, &are)
     }

@@ -57,8 +57,13 @@ impl Resolver<'_> {
         if let Some(constant) = nearest::constant(text) {
             return names::unknown_constant(place, text, constant);
         }
-        if matches!(text, "e" | "E") {
-            return names::unknown_e(place, text);
+        match text {
+            "e" | "E" => return names::unknown_e(place, text),
+            "f" => return names::named_formula(place, text),
+            _ => {}
+        }
+        if nearest::not_finite(text) {
+            return names::not_finite(place, text);
         }
         let visible = self.visible();
         if let Some(product) = nearest::product(text, &visible) {

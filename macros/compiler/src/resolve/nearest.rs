@@ -65,7 +65,8 @@ pub(super) fn product(name: &str, visible: &[String]) -> Option<String> {
 pub(super) fn power(name: &str, visible: &[String]) -> Option<String> {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let exponent = name.get(base.len()..)?;
-    (!exponent.is_empty() && visible.iter().any(|v| v == base))
+    // Nobody means `x^1` by `x1`.
+    (!matches!(exponent, "" | "0" | "1") && visible.iter().any(|v| v == base))
         .then(|| format!("{base}^{exponent}"))
 }
 
@@ -74,8 +75,15 @@ pub(super) fn constant(name: &str) -> Option<&'static str> {
     match name {
         "PI" | "Pi" | "π" | "M_PI" => Some("pi"),
         "TAU" | "Tau" | "τ" => Some("tau"),
+        "phi" | "PHI" | "φ" => Some("(1 + sqrt(5))/2"),
         _ => None,
     }
+}
+
+/// Values of `f64` that are not numbers.
+pub(super) fn not_finite(name: &str) -> bool {
+    let name = name.to_lowercase();
+    matches!(name.as_str(), "inf" | "infinity" | "nan" | "∞")
 }
 
 /// Functions that jump.
@@ -110,14 +118,27 @@ pub(super) fn instead_of_function(name: &str) -> Option<&'static str> {
         "csc" | "cosec" => "1/sin(a)",
         "cot" => "1/tan(a)",
         "sin_cos" => "sin(a)",
+        "tg" => "tan(a)",
+        "ctg" | "ctan" | "cotan" => "1/tan(a)",
+        "sh" => "sinh(a)",
+        "ch" => "cosh(a)",
+        "th" => "tanh(a)",
         "arcsin" => "asin(a)",
         "arccos" => "acos(a)",
-        "arctan" => "atan(a)",
+        "arctan" | "arctg" => "atan(a)",
+        "arsinh" | "arcsinh" => "asinh(a)",
+        "arcosh" | "arccosh" => "acosh(a)",
+        "artanh" | "arctanh" => "atanh(a)",
+        "to_radians" | "radians" => "a*pi/180",
+        "to_degrees" | "degrees" => "a*180/pi",
         "ln1p" | "log1p" => "ln_1p(a)",
         "expm1" => "exp_m1(a)",
-        "length" | "norm" | "len" => "sqrt(x^2 + y^2 + z^2)",
+        "length" | "norm" => "sqrt(x^2 + y^2 + z^2)",
         "mix" | "lerp" => "a + t*(b - a)",
         "inv" | "inverse" => "recip(a)",
+        "dot" => "a*x + b*y + c*z",
+        "smoothstep" => "let t = clamp((a - lower)/(upper - lower), 0, 1); t^2*(3 - 2*t)",
+        "smin" | "smooth_min" | "smooth_union" => "-k*ln(exp(-a/k) + exp(-b/k))",
         "union" => "min(a, b)",
         "intersection" => "max(a, b)",
         "difference" => "max(a, -b)",
