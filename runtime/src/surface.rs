@@ -40,7 +40,13 @@ pub trait Surface: Send + Sync {
     /// Room for the ray stage, to be used again for packet after packet.
     fn unbound<P: Packet>(p: P) -> Self::Bound<P>;
     /// The ray stage, for the active rows.
-    fn bind<P: Packet>(p: P, prepared: &Self::Prepared, rays: &Rays<P>, active: &Active, bound: &mut Self::Bound<P>);
+    fn bind<P: Packet>(
+        p: P,
+        prepared: &Self::Prepared,
+        rays: &Rays<P>,
+        active: &Active,
+        bound: &mut Self::Bound<P>,
+    );
 
     /// f over a segment.
     fn value<A: Arithmetic, T: Parameter<A>>(
@@ -143,7 +149,9 @@ pub enum ParameterError {
         value: f64,
     },
     /// A table of run-time length is too short: an index of the formula is outside, or a minimum has no row to take.
-    #[error("table `{field}` of `{surface}` has {rows} rows, and the formula needs at least {needed}")]
+    #[error(
+        "table `{field}` of `{surface}` has {rows} rows, and the formula needs at least {needed}"
+    )]
     TooFewRows {
         /// The surface's name.
         surface: &'static str,

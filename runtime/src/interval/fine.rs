@@ -41,7 +41,11 @@ fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl Ball {
-    const ANY: Ball = Ball { hi: 0.0, lo: 0.0, radius: f64::INFINITY };
+    const ANY: Ball = Ball {
+        hi: 0.0,
+        lo: 0.0,
+        radius: f64::INFINITY,
+    };
 
     /// The sum of two doubles, exactly.
     pub fn sum(a: f64, b: f64) -> Ball {
@@ -51,7 +55,8 @@ impl Ball {
 
     /// `origin + self·direction`: a coordinate of a point on a ray.
     pub fn along(self, origin: f64, direction: f64) -> Ball {
-        self.multiply(Ball::exact(direction)).add(Ball::exact(origin))
+        self.multiply(Ball::exact(direction))
+            .add(Ball::exact(origin))
     }
 
     fn new(hi: f64, lo: f64, radius: f64) -> Ball {
@@ -64,7 +69,11 @@ impl Ball {
     }
 
     fn exact(x: f64) -> Ball {
-        Ball { hi: x, lo: 0.0, radius: 0.0 }
+        Ball {
+            hi: x,
+            lo: 0.0,
+            radius: 0.0,
+        }
     }
 
     fn from_interval(a: &Interval) -> Ball {
@@ -75,10 +84,18 @@ impl Ball {
         Ball::new(hi, lo, 0.5 * (a.hi - a.lo) + TINY)
     }
 
+    /// The two doubles and the radius.
+    pub fn parts(self) -> [f64; 3] {
+        [self.hi, self.lo, self.radius]
+    }
+
     /// The smallest `f64` interval around the ball, nearly.
     pub fn interval(self) -> Interval {
         if self.radius.is_infinite() {
-            return Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+            return Interval {
+                lo: f64::NEG_INFINITY,
+                hi: f64::INFINITY,
+            };
         }
         let p = Scalar;
         Interval {
@@ -104,7 +121,11 @@ impl Ball {
     }
 
     fn negate(self) -> Ball {
-        Ball { hi: -self.hi, lo: -self.lo, radius: self.radius }
+        Ball {
+            hi: -self.hi,
+            lo: -self.lo,
+            radius: self.radius,
+        }
     }
 
     #[inline(never)]
@@ -125,7 +146,9 @@ impl Ball {
     fn multiply(self, other: Ball) -> Ball {
         let high = self.hi * other.hi;
         let error = self.hi.mul_add(other.hi, -high);
-        let low = self.lo.mul_add(other.hi, self.hi.mul_add(other.lo, self.lo * other.lo));
+        let low = self
+            .lo
+            .mul_add(other.hi, self.hi.mul_add(other.lo, self.lo * other.lo));
         let (hi, lo) = fast_two_sum(high, error + low);
         let spread = self.size() * other.radius + self.radius * other.most();
         Ball::new(hi, lo, spread + (hi.abs() + lo.abs()) * STEP + TINY)
@@ -142,7 +165,11 @@ impl Ball {
         let rest = self.subtract(other.multiply(Ball::exact(first)));
         let (hi, lo) = fast_two_sum(first, rest.hi / other.hi);
         // The centres' residual carries the radii of both operands.
-        let residual = self.subtract(other.multiply(Ball { hi, lo, radius: 0.0 }));
+        let residual = self.subtract(other.multiply(Ball {
+            hi,
+            lo,
+            radius: 0.0,
+        }));
         Some(Ball::new(hi, lo, residual.most() / least * UP + TINY))
     }
 
@@ -158,7 +185,11 @@ impl Ball {
         let first = self.hi.sqrt();
         let rest = self.subtract(Ball::exact(first).multiply(Ball::exact(first)));
         let (hi, lo) = fast_two_sum(first, rest.hi / (2.0 * first));
-        let s = Ball { hi, lo, radius: 0.0 };
+        let s = Ball {
+            hi,
+            lo,
+            radius: 0.0,
+        };
         let residual = self.subtract(s.multiply(s));
         Some(Ball::new(hi, lo, residual.most() / s.least() * UP + TINY))
     }
@@ -193,11 +224,17 @@ impl Ball {
             return Ball::from_interval(&Scalar.exp(self.interval()));
         }
         let r = self.subtract(LN_2.multiply(Ball::exact(whole)));
-        let s = Ball { hi: r.hi / 512.0, lo: r.lo / 512.0, radius: r.radius / 512.0 };
+        let s = Ball {
+            hi: r.hi / 512.0,
+            lo: r.lo / 512.0,
+            radius: r.radius / 512.0,
+        };
         let mut sum = Ball::exact(1.0);
         for n in (1..=9).rev() {
             // 1 + s/n · (1 + s/(n + 1) · …)
-            let Some(step) = s.divide(Ball::exact(f64::from(n))) else { return Ball::ANY };
+            let Some(step) = s.divide(Ball::exact(f64::from(n))) else {
+                return Ball::ANY;
+            };
             sum = Ball::exact(1.0).add(step.multiply(sum));
         }
         sum.radius += 1e-38;
@@ -302,7 +339,11 @@ impl Arithmetic for Fine {
         // The minimum moves no further than the operand that moves further; the centres' order may be open.
         let distance = b.subtract(a);
         let least = if distance.hi < 0.0 { b } else { a };
-        let open = if distance.least() > 0.0 { 0.0 } else { distance.most() };
+        let open = if distance.least() > 0.0 {
+            0.0
+        } else {
+            distance.most()
+        };
         Ball::new(least.hi, least.lo, a.radius.max(b.radius) + open)
     }
     fn max(self, a: Ball, b: Ball) -> Ball {

@@ -28,6 +28,8 @@ pub struct Evaluations {
     pub point: u64,
     /// f and f' in plain floats.
     pub float: u64,
+    /// Signs of f at points, in twice the precision.
+    pub fine: u64,
     /// Gradients in space, in plain floats.
     pub gradient: u64,
     /// Evaluations of all kinds, each counted once per packet of eight.
@@ -37,7 +39,13 @@ pub struct Evaluations {
 impl Evaluations {
     /// All kinds together, per ray.
     pub fn total(&self) -> u64 {
-        self.value + self.slope + self.curvature + self.point + self.float + self.gradient
+        self.value
+            + self.slope
+            + self.curvature
+            + self.point
+            + self.float
+            + self.fine
+            + self.gradient
     }
 
     pub(crate) fn add(&mut self, other: &Evaluations) {
@@ -46,6 +54,7 @@ impl Evaluations {
         self.curvature += other.curvature;
         self.point += other.point;
         self.float += other.float;
+        self.fine += other.fine;
         self.gradient += other.gradient;
         self.packets += other.packets;
     }

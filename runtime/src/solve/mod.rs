@@ -5,6 +5,7 @@ mod floor;
 mod march;
 mod quadric;
 mod refine;
+mod sharpen;
 mod tangent;
 
 pub use field::{
@@ -13,6 +14,7 @@ pub use field::{
 pub(crate) use march::{Events, Search, march};
 pub(crate) use quadric::closed_form;
 pub(crate) use refine::refine;
+pub(crate) use sharpen::{Line, WIDE, sharpen};
 
 use crate::interval::{Interval, Packet};
 

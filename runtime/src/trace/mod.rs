@@ -12,8 +12,11 @@ use crate::contract::Contractor;
 use core::marker::PhantomData;
 
 use crate::interval::{Interval, Packet, Routine};
-use crate::ray::Rays;
-use crate::solve::{Brackets, Events, Field, Search, Settings, closed_form, march, refine, select};
+use crate::ray::{Lines, Rays};
+use crate::solve::{
+    Brackets, Events, Field, Line, Search, Settings, WIDE, closed_form, march, refine, select,
+    sharpen,
+};
 use crate::surface::{Active, Surface};
 
 /// The ray stage, a function of its own.
@@ -44,6 +47,8 @@ struct Roots<P: Packet> {
 struct FirstRoots<'b, 'f, S: Surface, C, P: Packet> {
     field: &'b mut Field<'f, S, P>,
     settings: &'b Settings,
+    lines: &'b Lines,
+    entry: P::F,
     over: &'b Interval<P::F>,
     live: P::M,
     first_only: bool,
@@ -55,17 +60,59 @@ impl<S: Surface, C: Contractor, P: Packet> Routine<P> for FirstRoots<'_, '_, S, 
     type Output = Roots<P>;
 
     #[inline(always)]
-    fn call(self, p: P) -> Roots<P> {
+    fn call(mut self, p: P) -> Roots<P> {
+        let mut roots = self.found(p);
+        let width = p.sub_ru(roots.t.hi, roots.t.lo);
+        let wide = p.and(roots.hit, p.lt(p.splat(WIDE), width));
+        if p.any(wide) {
+            self.sharpened(p, p.bits(wide), &mut roots);
+        }
+        roots
+    }
+}
+
+impl<S: Surface, C: Contractor, P: Packet> FirstRoots<'_, '_, S, C, P> {
+    /// Twice the precision for the lanes of `wide`.
+    #[cold]
+    fn sharpened(&mut self, p: P, wide: u8, roots: &mut Roots<P>) {
+        let entry = p.to_array(self.entry);
+        let (mut lo, mut hi) = (p.to_array(roots.t.lo), p.to_array(roots.t.hi));
+        for lane in (0..8).filter(|lane| wide >> lane & 1 != 0) {
+            let line = Line {
+                origin: [0, 1, 2].map(|k| self.lines.origin[k][lane]),
+                direction: [0, 1, 2].map(|k| self.lines.direction[k][lane]),
+                entry: entry[lane],
+            };
+            let root = Interval {
+                lo: lo[lane],
+                hi: hi[lane],
+            };
+            let root = sharpen::<S>(
+                self.field.prepared,
+                &line,
+                root,
+                &mut self.field.counts.fine,
+            );
+            (lo[lane], hi[lane]) = (root.lo, root.hi);
+        }
+        roots.t = Interval {
+            lo: p.lanes(lo),
+            hi: p.lanes(hi),
+        };
+    }
+
+    #[inline(always)]
+    fn found(&mut self, p: P) -> Roots<P> {
         let FirstRoots {
             field,
             settings,
             over,
-            live,
-            first_only,
             events,
+            first_only,
             ..
         } = self;
-        let mut live = live;
+        let (over, first_only) = (*over, *first_only);
+        let mut live = self.live;
         let mut roots = Roots {
             hit: p.mask(0),
             t: *over,

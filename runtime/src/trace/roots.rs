@@ -76,6 +76,8 @@ impl<S: Surface, C: Contractor> Kernel for AllRoots<'_, S, C> {
             let job = FirstRoots::<S, C, P> {
                 field: &mut field,
                 settings: self.settings,
+                lines: &lines,
+                entry: span.near,
                 over: &over,
                 live: one,
                 first_only: false,

@@ -78,6 +78,8 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
             let job = FirstRoots::<S, C, P> {
                 field: &mut field,
                 settings,
+                lines: &packet.lines,
+                entry: p.lanes(packet.entry),
                 over: &over,
                 live,
                 first_only: true,

@@ -2,7 +2,7 @@
 
 use super::block::Target;
 use super::layout::Layout;
-use super::text::{count, flags, index, interval, variable};
+use super::text::{count, flags, index, interval, number, variable};
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Over, Scope, Sign, Undecided};
 use crate::tree::FoldKind;
@@ -56,10 +56,7 @@ impl Target for Enclosure<'_> {
 
     fn given(&mut self, id: Id, out: &mut TokenStream) -> Option<Value> {
         let expression = match self.graph.op(id) {
-            Op::Literal(r) => {
-                let r = interval(r);
-                quote!(a.constant(&#r))
-            }
+            Op::Literal(r) => number(r),
             Op::Coordinate(axis) => {
                 let axis = Literal::usize_unsuffixed(*axis);
                 quote!(point[#axis])

@@ -41,6 +41,19 @@ pub fn interval(r: &BigRational) -> TokenStream {
     quote!(__zeroset::Interval { lo: #lo, hi: #hi })
 }
 
+/// The value of an exact number in the number system `a`.
+pub fn number(r: &BigRational) -> TokenStream {
+    let enclosure = interval(r);
+    let (lo, hi) = crate::rational::bounds(r);
+    if lo == hi {
+        return quote!(a.constant(&#enclosure));
+    }
+    let near = crate::rational::nearest(r);
+    let rest = BigRational::from_float(near).map_or(0.0, |n| crate::rational::nearest(&(r - n)));
+    let (near, rest) = (float(near), float(rest));
+    quote!(a.literal(&__zeroset::Number { enclosure: #enclosure, leading: [#near, #rest] }))
+}
+
 /// The index of a table's element, in `usize`.
 pub fn index(i: &crate::tree::Index) -> TokenStream {
     match i {
