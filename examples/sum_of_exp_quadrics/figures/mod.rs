@@ -143,8 +143,7 @@ fn enclosures_chart(all: &[Measured]) -> Chart {
     Chart {
         title: "How wide enclosures of f(T) are",
         note: format!(
-            "{COUNT} ray functions of 8 exponentials, ray seed {SEED}; half negative definite, half indefinite; \
-             what is above 10⁶ is in the table"
+            "{COUNT} ray functions, ray seed {SEED}, half negative definite, half indefinite; above 10⁶: see the table"
         ),
         y_label: "width over true width",
         // Far out, plain interval arithmetic on e^(large) has no use for an axis.
@@ -163,7 +162,7 @@ fn contractions_chart(all: &[Measured]) -> Chart {
     Chart {
         title: "What one step leaves of T",
         note: format!(
-            "{COUNT} ray functions, ray seed {SEED}; T holds a root, so no step ends empty; two pieces count by their sum"
+            "{COUNT} ray functions, ray seed {SEED}; T holds a root: none ends empty; two pieces: their sum"
         ),
         y_label: "width left over width of T",
         highest: 0,
