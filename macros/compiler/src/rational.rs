@@ -64,6 +64,8 @@ fn scale(q: &BigUint, k: i64) -> f64 {
 }
 
 #[cfg(test)]
+// Tests may stop at a failure; the compiler may not.
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 

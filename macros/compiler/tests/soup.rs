@@ -1,7 +1,8 @@
 //! Whatever is thrown at it, the front end returns: a formula or mistakes, never a panic, never a hang.
 //!
 //! Two kinds of input: tokens of the language in random order, and formulas of the fixtures with tokens removed,
-//! doubled, swapped and replaced. The sequence is seeded, so that a failure can be repeated.
+//! doubled, swapped and replaced. The sequence is seeded, so that a failure can be repeated. `scripts/soup` tries a
+//! million of each.
 
 // Tests may stop at a failure; the compiler may not.
 #![allow(clippy::unwrap_used, clippy::panic)]
@@ -9,207 +10,8 @@
 mod support;
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
-use zeroset_compiler::expand;
-use zeroset_compiler::front::{Front, front};
-
-/// Words that random inputs are made of.
-const WORDS: &[&str] = &[
-    "x",
-    "y",
-    "z",
-    "a",
-    "t",
-    "r",
-    "pi",
-    "tau",
-    "e",
-    "_",
-    "sin",
-    "max",
-    "clamp",
-    "sum",
-    "min",
-    "floor",
-    "log",
-    "let",
-    "let a =",
-    "if",
-    "else",
-    "in",
-    "for",
-    "mut",
-    "struct",
-    "pub",
-    "struct S;",
-    "struct S { r : f64 , t : [f64 ; 8] }",
-    "#[domain(x in -1..1, y in -1..1, z in -1..1)]",
-    "#[doc = \"text\"]",
-    "as",
-    "self",
-    "match",
-    "return",
-    "f64",
-    "0",
-    "1",
-    "2.5",
-    "1e-3",
-    "2x",
-    "3f32",
-    "0x10",
-    "1e999",
-    "\"text\"",
-    "'c'",
-    "+",
-    "-",
-    "*",
-    "/",
-    "^",
-    "**",
-    "%",
-    "=",
-    "==",
-    "!=",
-    "<",
-    "<=",
-    ">",
-    ">=",
-    "&&",
-    "||",
-    "|",
-    "&",
-    "!",
-    ".",
-    "..",
-    "..=",
-    "::",
-    ":",
-    ";",
-    ";",
-    ",",
-    "?",
-    "#",
-    "$",
-    "+=",
-    "->",
-    "=>",
-    "i in 0..8",
-    "[a, b] in t",
-    "(i in 0..8)",
-    "{ x }",
-    "if x > 0 { y } else { z }",
-    "x^2 + y^2",
-    "[0]",
-    ".sin()",
-    "r#type",
-    "α",
-    "x·y",
-];
-
-/// Marsaglia's xorshift.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, most: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % most as u64) as usize
-    }
-
-    fn word(&mut self) -> TokenStream {
-        WORDS[self.below(WORDS.len())].parse().unwrap()
-    }
-
-    /// A stream of words, with groups in it.
-    fn soup(&mut self, depth: usize) -> TokenStream {
-        let mut stream = TokenStream::new();
-        for _ in 0..self.below(12) {
-            if depth > 0 && self.below(5) == 0 {
-                let inner = self.soup(depth - 1);
-                stream.extend([TokenTree::from(Group::new(self.delimiter(), inner))]);
-            } else {
-                stream.extend(self.word());
-            }
-        }
-        stream
-    }
-
-    fn delimiter(&mut self) -> Delimiter {
-        [
-            Delimiter::Parenthesis,
-            Delimiter::Brace,
-            Delimiter::Bracket,
-            Delimiter::None,
-        ][self.below(4)]
-    }
-
-    /// The same tokens with a mistake in them, here or inside a group.
-    fn mutated(&mut self, stream: TokenStream) -> TokenStream {
-        let mut trees: Vec<TokenTree> = stream.into_iter().collect();
-        if trees.is_empty() {
-            return self.word();
-        }
-        let at = self.below(trees.len());
-        if let TokenTree::Group(group) = &trees[at]
-            && self.below(4) > 0
-        {
-            let mut inner = Group::new(group.delimiter(), self.mutated(group.stream()));
-            inner.set_span(group.span());
-            trees[at] = inner.into();
-            return trees.into_iter().collect();
-        }
-        match self.below(5) {
-            0 => {
-                trees.remove(at);
-            }
-            1 => trees.insert(at, trees[at].clone()),
-            2 => {
-                let other = self.below(trees.len());
-                trees.swap(at, other);
-            }
-            3 => {
-                let word = self.word();
-                trees.splice(at..=at, word);
-            }
-            _ => {
-                let wrapped = trees.drain(at..).collect();
-                trees.push(Group::new(self.delimiter(), wrapped).into());
-            }
-        }
-        trees.into_iter().collect()
-    }
-}
-
-/// What holds for every input.
-fn lawful(front: &Front, input: &str) {
-    let found = front.diagnostics.in_order();
-    assert_eq!(front.formula.is_some(), found.is_empty(), "{input}");
-    let mut last = 0;
-    for diagnostic in &found {
-        assert!(!diagnostic.message.is_empty(), "{input}");
-        assert!(diagnostic.place.order >= last, "{input}");
-        last = diagnostic.place.order;
-    }
-    let tokens = front.diagnostics.to_tokens().to_string();
-    assert_eq!(
-        tokens.matches("compile_error").count(),
-        found.len(),
-        "{input}"
-    );
-    if let Some(formula) = &front.formula {
-        support::print::formula(formula);
-        assert_eq!(formula.name.is_some(), front.head.is_some(), "{input}");
-    }
-}
-
-/// The rest of the compiler takes what the front end lets through, and says nothing more about what it does not.
-fn compiled(input: TokenStream, sound: bool) {
-    let text = input.to_string();
-    let root = "zeroset".parse::<TokenStream>().unwrap();
-    let code = expand(root.into_iter().chain(input).collect()).to_string();
-    assert_eq!(code.contains("compile_error"), !sound, "{text}");
-    assert!(!code.is_empty(), "{text}");
-}
+use support::random::{Random, compiled, lawful};
+use zeroset_compiler::front::front;
 
 /// The control: a formula beside a mistake breaks the laws.
 #[test]
@@ -222,9 +24,14 @@ fn lawlessness_is_noticed() {
 
 #[test]
 fn random_tokens() {
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    soups(20_000, 0x2545_f491_4f6c_dd1d);
+}
+
+/// Random tokens; now and then they are a formula.
+fn soups(count: usize, seed: u64) {
+    let mut random = Random(seed);
     let mut sound = 0;
-    for _ in 0..20_000 {
+    for _ in 0..count {
         let input = random.soup(3);
         let text = input.to_string();
         let front = front(input);
@@ -232,41 +39,32 @@ fn random_tokens() {
         sound += usize::from(front.formula.is_some());
     }
     // The soup must hold a formula now and then, or it tests nothing but the first mistake.
-    assert!(sound > 20, "{sound}");
+    assert!(sound > count / 1000, "{sound} of {count}");
+    println!("{count} random inputs, {sound} of them formulas");
 }
 
 #[test]
 fn mutated_formulas() {
-    on_rustc_stack(mutate);
+    on_rustc_stack(|| mutants(60, 0x9e37_79b9_7f4a_7c15));
 }
 
-fn mutate() {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+/// Mutants of the formulas of the fixtures. One in four goes through the whole compiler.
+fn mutants(each: usize, seed: u64) {
+    let mut random = Random(seed);
     let (mut sound, mut total) = (0, 0);
-    for file in [
-        "formulas/examples.md",
-        "formulas/grammar.md",
-        "errors/syntax.md",
-        "errors/shapes.md",
-    ] {
-        for case in support::cases(file) {
-            // The cases of too many brackets are slow to copy and say nothing new.
-            if case.source.len() > 1000 {
-                continue;
+    for case in originals() {
+        for _ in 0..each {
+            let mut input: TokenStream = case.parse().unwrap();
+            for _ in 0..=random.below(3) {
+                input = random.mutated(input);
             }
-            for _ in 0..60 {
-                let mut input: TokenStream = case.source.parse().unwrap();
-                for _ in 0..=random.below(3) {
-                    input = random.mutated(input);
-                }
-                let text = input.to_string();
-                let front = front(input.clone());
-                lawful(&front, &text);
-                sound += usize::from(front.formula.is_some());
-                total += 1;
-                if total % 4 == 0 {
-                    compiled(input, front.formula.is_some());
-                }
+            let text = input.to_string();
+            let front = front(input.clone());
+            lawful(&front, &text);
+            sound += usize::from(front.formula.is_some());
+            total += 1;
+            if total % 4 == 0 {
+                compiled(input, front.formula.is_some());
             }
         }
     }
@@ -274,10 +72,43 @@ fn mutate() {
         sound > total / 100 && sound < total / 2,
         "{sound} of {total}"
     );
+    println!("{total} mutated inputs, {sound} of them formulas");
+}
+
+/// The sources of the fixtures. Those with too many brackets are slow to copy and say nothing new.
+fn originals() -> Vec<String> {
+    let files = [
+        "formulas/examples.md",
+        "formulas/grammar.md",
+        "errors/syntax.md",
+        "errors/shapes.md",
+        "errors/tokens.md",
+        "errors/head.md",
+    ];
+    let cases = files.into_iter().flat_map(support::cases);
+    let sources = cases.map(|case| case.source);
+    sources.filter(|source| source.len() <= 1000).collect()
+}
+
+/// A million of each kind. The seed is the day's, and printed.
+#[test]
+#[ignore = "minutes: scripts/soup runs it, optimised"]
+fn a_million_token_streams() {
+    let seed = match std::env::var("ZEROSET_SEED") {
+        Ok(seed) => seed.parse().expect("ZEROSET_SEED is a whole number"),
+        Err(_) => std::time::SystemTime::now()
+            .duration_since(std::time::UNIX_EPOCH)
+            .map_or(1, |now| now.as_secs() / 86_400),
+    };
+    println!("ZEROSET_SEED={seed}");
+    // A xorshift needs bits to begin with.
+    let start = (seed + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+    soups(1_000_000, start);
+    on_rustc_stack(move || mutants(1_000_000usize.div_ceil(originals().len()), start));
 }
 
 /// Runs a test with the stack that rustc gives to macros: 8 MB. An unoptimised build needs half of it.
-fn on_rustc_stack(test: fn()) {
+fn on_rustc_stack(test: impl FnOnce() + Send + 'static) {
     let thread = std::thread::Builder::new().stack_size(8 << 20).spawn(test);
     thread.unwrap().join().unwrap();
 }

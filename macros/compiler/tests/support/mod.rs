@@ -17,6 +17,7 @@
 #![allow(dead_code)]
 
 pub mod print;
+pub mod random;
 
 use std::path::PathBuf;
 
