@@ -3,6 +3,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod claims;
 pub mod dyadic;
 pub mod exponential;
 pub mod exponentials;
