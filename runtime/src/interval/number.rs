@@ -55,6 +55,7 @@ impl Interval<f64> {
     /// # Panics
     /// If `x` is NaN or infinite.
     #[track_caller]
+    #[inline]
     pub fn point(x: f64) -> Interval {
         Self::new(x, x)
     }
@@ -76,6 +77,7 @@ impl Interval<f64> {
     }
 
     /// A finite number in the interval, near the middle if both bounds are finite.
+    #[inline]
     pub fn mid(&self) -> f64 {
         match (self.lo.is_finite(), self.hi.is_finite()) {
             // Halves first: the sum of the bounds may overflow. The clamp mends the rounding of subnormals.

@@ -2,7 +2,7 @@
 
 use super::rendering::{Kind, Piece, Record};
 use super::statistics::Phases;
-use super::tile::{NOTHING, Tile};
+use super::tile::{NOTHING, PacketRays, Tile};
 use crate::interval::Interval;
 use crate::verdict::{Answer, Verdict};
 
@@ -60,6 +60,15 @@ fn answer(entry: f64, events: &[(Verdict, u16)]) -> Answer {
 /// The pixels of a tile.
 pub(super) fn piece(tile: &Tile, specials: Vec<(u16, u8, Answer)>, phases: Phases) -> Piece {
     let [width, height] = tile.size;
+    let seen = |packet: &PacketRays| packet.surface != [NOTHING; 8];
+    if specials.is_empty() && !tile.packets.iter().any(seen) {
+        return Piece {
+            size: tile.size,
+            counts: tile.counts,
+            phases,
+            ..Piece::default()
+        };
+    }
     let mut records = Vec::with_capacity((width * height) as usize);
     let mut listed = Vec::with_capacity(specials.len());
     for y in 0..height {
@@ -94,7 +103,7 @@ pub(super) fn piece(tile: &Tile, specials: Vec<(u16, u8, Answer)>, phases: Phase
     }
     Piece {
         records,
-        width,
+        size: tile.size,
         specials: listed,
         counts: tile.counts,
         phases,

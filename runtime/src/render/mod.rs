@@ -189,7 +189,10 @@ impl<'a> Job<'a> {
             TILE.min(options.height - corner[1]),
         ];
         let Some(domain) = &self.domain else {
-            return Piece::empty(size);
+            return Piece {
+                size,
+                ..Piece::default()
+            };
         };
         let mut phases = Phases::default();
         let clock = Instant::now();

@@ -29,35 +29,16 @@ pub(crate) struct Record {
 }
 
 /// A finished tile: rows of pixels from its upper left corner.
+#[derive(Default)]
 pub(crate) struct Piece {
+    /// Nothing at all if every pixel is a miss.
     pub records: Vec<Record>,
-    pub width: u32,
+    /// Width and height.
+    pub size: [u32; 2],
     /// In ascending order of the pixel's index.
     pub specials: Vec<(u32, Answer)>,
     pub counts: Evaluations,
     pub phases: Phases,
-}
-
-impl Piece {
-    /// A tile that nothing is in.
-    pub fn empty(size: [u32; 2]) -> Self {
-        let nothing = Record {
-            entry: 0.0,
-            lo: 0.0,
-            hi: 0.0,
-            normal: [0.0; 3],
-            surface: NOTHING,
-            kind: Kind::Miss,
-            tied: false,
-        };
-        Piece {
-            records: vec![nothing; (size[0] * size[1]) as usize],
-            width: size[0],
-            specials: Vec::new(),
-            counts: Evaluations::default(),
-            phases: Phases::default(),
-        }
-    }
 }
 
 /// What is known about one pixel.
@@ -122,7 +103,14 @@ impl Rendering {
     /// If there is no such pixel.
     pub fn pixel(&self, x: u32, y: u32) -> Pixel {
         let (piece, index) = self.place(x, y);
-        let record = &piece.records[index];
+        let Some(record) = piece.records.get(index) else {
+            return Pixel {
+                answer: Answer::miss(0.0),
+                surface: None,
+                normal: None,
+                tied: false,
+            };
+        };
         let t = Interval {
             lo: record.lo,
             hi: record.hi,
@@ -168,6 +156,6 @@ impl Rendering {
         );
         let columns = width.div_ceil(TILE);
         let piece = &self.pieces[(y / TILE * columns + x / TILE) as usize];
-        (piece, (y % TILE * piece.width + x % TILE) as usize)
+        (piece, (y % TILE * piece.size[0] + x % TILE) as usize)
     }
 }

@@ -55,7 +55,9 @@ impl Statistics {
     }
 
     pub(super) fn add(&mut self, piece: &Piece) {
-        self.rays += piece.records.len() as u64;
+        let rays = u64::from(piece.size[0] * piece.size[1]);
+        self.rays += rays;
+        self.miss += rays - piece.records.len() as u64;
         for record in &piece.records {
             let count = match record.kind {
                 Kind::Miss => &mut self.miss,
@@ -99,13 +101,14 @@ impl std::fmt::Display for Statistics {
         )?;
         writeln!(
             f,
-            "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, gradient {:.2}; \
+            "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, fine {:.4}, gradient {:.2}; \
              per packet {:.2}",
             per_ray(e.value),
             per_ray(e.slope),
             per_ray(e.curvature),
             per_ray(e.point),
             per_ray(e.float),
+            per_ray(e.fine),
             per_ray(e.gradient),
             8.0 * per_ray(e.packets)
         )?;

@@ -22,7 +22,7 @@ pub(crate) struct Closed<P: Packet> {
 ///   lose nothing either, because |c₁| is small against √D.
 /// - else it is left to the search, which proves tangencies.
 #[inline(always)]
-pub(crate) fn closed_form<P: Packet>(p: P, leaf: &Quadratic<P>) -> Closed<P> {
+pub(crate) fn closed_form<P: Packet>(p: P, leaf: &Quadratic<P>, live: P::M) -> Closed<P> {
     let zero = p.splat(0.0);
     let half = p.splat(0.5);
     let four = p.splat(4.0);
@@ -34,6 +34,14 @@ pub(crate) fn closed_form<P: Packet>(p: P, leaf: &Quadratic<P>) -> Closed<P> {
     };
     let d = p.sub(p.sqr(b), product);
     let negative = p.lt(d.hi, zero);
+    if !p.any(p.and_not(live, negative)) {
+        return Closed {
+            decided: negative,
+            two: p.none(),
+            first: d,
+            second: d,
+        };
+    }
     let bent = p.or(p.lt(zero, a.lo), p.lt(a.hi, zero));
     let positive = p.and(p.lt(zero, d.lo), bent);
     let root = Interval {
@@ -88,6 +96,14 @@ impl<P: Packet> Closed<P> {
     /// Sorts the roots into before, inside and behind `over`. A root across an end of it is left to the search.
     #[inline(always)]
     pub fn first_in(&self, p: P, leaf: &Quadratic<P>, over: &Interval<P::F>) -> First<P> {
+        if !p.any(self.two) {
+            return First {
+                decided: self.decided,
+                hit: self.two,
+                root: *over,
+                resume: over.hi,
+            };
+        }
         let one = p.and(self.two, inside(p, &self.first, over));
         let skipped = p.and(self.two, outside(p, &self.first, over));
         let other = p.and(skipped, inside(p, &self.second, over));

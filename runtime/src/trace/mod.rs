@@ -121,7 +121,7 @@ impl<S: Surface, C: Contractor, P: Packet> FirstRoots<'_, '_, S, C, P> {
         if settings.closed_forms
             && let Some(leaf) = S::quadric(field.bound)
         {
-            let first = closed_form(p, leaf).first_in(p, leaf, over);
+            let first = closed_form(p, leaf, live).first_in(p, leaf, over);
             roots = Roots {
                 hit: p.and(live, first.hit),
                 t: first.root,
