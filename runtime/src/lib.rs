@@ -27,7 +27,8 @@
 //!
 //! # Where things are
 //!
-//! - [`implicit!`] and [`Surface`]: formulas.
+//! - [`implicit!`] and [`Surface`]: formulas. [How to write them](guide::writing_formulas), and
+//!   [what the errors say](guide::reading_the_errors).
 //! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
 //! - [`interval`]: intervals, packets, back-ends, for those who want to look below.
@@ -40,6 +41,7 @@
 pub mod __private;
 pub mod camera;
 pub mod contract;
+pub mod guide;
 pub mod interval;
 pub mod language;
 pub mod ray;
