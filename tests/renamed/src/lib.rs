@@ -3,8 +3,19 @@
 //! `cargo clippy --workspace` is the test: generated code stays quiet. What it computes is tested in `tests/`.
 
 #![deny(warnings, missing_docs, missing_debug_implementations, unreachable_pub)]
-#![deny(unused, nonstandard_style, rust_2018_idioms, future_incompatible, let_underscore)]
-#![deny(single_use_lifetimes, trivial_casts, trivial_numeric_casts, unused_qualifications)]
+#![deny(
+    unused,
+    nonstandard_style,
+    rust_2018_idioms,
+    future_incompatible,
+    let_underscore
+)]
+#![deny(
+    single_use_lifetimes,
+    trivial_casts,
+    trivial_numeric_casts,
+    unused_qualifications
+)]
 #![deny(clippy::all, clippy::pedantic)]
 #![forbid(unsafe_code)]
 
@@ -54,7 +65,7 @@ pub fn values(point: [f64; 3]) -> [f64; 2] {
     use certified::Surface as _;
     certified::implicit! { struct Plane { height: f64 } z - height }
     let radius = 2.0;
-    let captured = certified::implicit!(x^2 + y^2 + z^2 = radius^2);
+    let captured = certified::implicit!(x ^ 2 + y ^ 2 + z ^ 2 = radius ^ 2);
     [Plane { height: 1.0 }.at(point), captured.at(point)]
 }
 
