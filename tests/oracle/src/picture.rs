@@ -6,7 +6,7 @@ use std::sync::Once;
 use rayon::prelude::*;
 use zeroset::camera::{Camera, Ray, Sampling};
 use zeroset::interval::Isa;
-use zeroset::render::{Options, Rendering, all_roots, render};
+use zeroset::render::{Options, Rendering, all_roots, first_roots, render};
 use zeroset::scene::Scene;
 use zeroset::solve::Settings;
 use zeroset::verdict::{Answer, Verdict};
@@ -113,6 +113,15 @@ impl Picture {
         };
         let none = || Outcome::new(&self.name, paths);
         rays.par_iter().map(one).reduce(none, Outcome::join)
+    }
+
+    /// The answer to a single ray.
+    ///
+    /// # Panics
+    /// If the ray is refused.
+    pub fn first_root(&self, ray: &Ray, isa: Isa) -> Answer {
+        let answers = first_roots(&self.scene, ray, &self.options(1, isa));
+        answers.expect("a valid ray")[0]
     }
 
     /// Renders it on one path, size × size pixels.

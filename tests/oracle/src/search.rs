@@ -8,7 +8,7 @@ use crate::wide::Wide;
 pub enum Truth {
     /// There is no root.
     Free,
-    /// No root lies before `lo`, and exactly one in [lo, hi], where f is strictly monotone and changes its sign.
+    /// No root lies before `lo`, and exactly one in [lo, hi], where f changes its sign.
     Root {
         /// Where it begins.
         lo: f64,
@@ -31,6 +31,8 @@ pub enum Truth {
 const MARGIN: f64 = 1e-9;
 /// Segments are not split further.
 const SHORTEST: f64 = 1e-10;
+/// On segments shorter than this f'' is looked at.
+const SHORT: f64 = 1e-3;
 /// Terms whose exponent stays below this are left out: 64 of them are below 10⁻²⁴.
 const NEGLIGIBLE: f64 = -60.0;
 
@@ -63,24 +65,87 @@ impl<'a> Search<'a> {
         }
         let open = Truth::Open { from: a };
         if slope[0] > 0.0 || slope[1] < 0.0 {
-            return match self.along.sign(Wide::new(b)) {
-                Some(0) | None => open,
-                Some(sign) if sign == before => Truth::Free,
-                Some(_) => Truth::Root {
-                    lo: a,
-                    hi: b,
-                    before,
-                },
-            };
+            return self.by_signs(a, b, before).unwrap_or(open);
         }
         if b - a < SHORTEST {
             return open;
+        }
+        if b - a < SHORT
+            && let Some(truth) = self.bent(a, b, before)
+        {
+            return truth;
         }
         let middle = 0.5 * (a + b);
         match self.inside(a, middle, before) {
             Truth::Free => self.inside(middle, b, before),
             other => other,
         }
+    }
+
+    /// The first root in a short [a, b] on which f'' has a certain sign, beside a minimum of |f|. Let g = before·f, so
+    /// that g(a) > 0.
+    ///
+    /// - g'' < 0: g lies above its chord. It has no root if g(b) > 0, and exactly one if g(b) < 0.
+    /// - g'' > 0: let c be near the minimum. If g(c) < 0, exactly one root lies before c. Else g lies above its tangent
+    ///   at c, that is above g(c) − |g'(c)|·(b − a).
+    fn bent(&self, a: f64, b: f64, before: i32) -> Option<Truth> {
+        let bounds = self.curvature(a, b);
+        let sign = f64::from(before);
+        if bounds[0] <= 0.0 && bounds[1] >= 0.0 {
+            return None;
+        }
+        if sign * bounds[0] < 0.0 {
+            return self.by_signs(a, b, before);
+        }
+        let mut c = 0.5 * (a + b);
+        let bend = 0.5 * (bounds[0] + bounds[1]);
+        for _ in 0..12 {
+            let [_, (slope, _)] = self.along.value(Wide::new(c));
+            c = (c - slope.hi / bend).clamp(a, b);
+        }
+        let [(f, margin), (slope, more)] = self.along.value(Wide::new(c));
+        let g = sign * f.hi;
+        let fall = (slope.hi.abs() + more) * (b - a) * 1.001;
+        if g > fall + margin * 1.001 {
+            return Some(Truth::Free);
+        }
+        if g < -margin && c > a {
+            return self.by_signs(a, c, before);
+        }
+        None
+    }
+
+    /// What the sign at b says where one root at most can lie in [a, b].
+    fn by_signs(&self, a: f64, b: f64, before: i32) -> Option<Truth> {
+        match self.along.sign(Wide::new(b)) {
+            Some(0) | None => None,
+            Some(sign) if sign == before => Some(Truth::Free),
+            Some(_) => Some(Truth::Root {
+                lo: a,
+                hi: b,
+                before,
+            }),
+        }
+    }
+
+    /// Bounds of f'' = −Σ e^q·(q'² + q'') over [a, b].
+    fn curvature(&self, a: f64, b: f64) -> Bounds {
+        let (mut all, mut sizes) = ([0.0; 2], 1.0);
+        for c in &self.terms {
+            let [low, high] = exponent(c, a, b).map(f64::exp);
+            let ends = [c[1] + 2.0 * c[2] * a, c[1] + 2.0 * c[2] * b];
+            let squares = ends.map(|x| x * x);
+            let least = if ends[0] * ends[1] <= 0.0 {
+                0.0
+            } else {
+                squares[0].min(squares[1])
+            };
+            let bend = [least + 2.0 * c[2], squares[0].max(squares[1]) + 2.0 * c[2]];
+            all[0] += bend[0] * if bend[0] < 0.0 { high } else { low };
+            all[1] += bend[1] * if bend[1] < 0.0 { low } else { high };
+            sizes += high * (1.0 + squares[0].max(squares[1]) + 2.0 * c[2].abs());
+        }
+        [-all[1] - MARGIN * sizes, -all[0] + MARGIN * sizes]
     }
 
     /// Bounds of f and f' over [a, b]: f by its terms' ranges, and by f(m) + f'·(s − m).

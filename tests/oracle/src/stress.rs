@@ -1,6 +1,10 @@
 //! Rays that are hard: tangent within an ulp, parallel to axes and faces, from on, inside and far away from a surface.
 
-use zeroset::camera::Ray;
+use zeroset::camera::{Ray, Sampling};
+use zeroset::interval::Isa;
+use zeroset::verdict::{Answer, Verdict};
+
+use crate::picture::Picture;
 
 /// A generator of its own for the rays: always the same.
 struct Random(u64);
@@ -137,6 +141,47 @@ pub fn lopsided(count: usize) -> Vec<Ray> {
             d[i % 3] = [1e-20, -1e-200, 1e-308, -5e-324][i / 2 % 4] * scale.min(1.0);
         }
         all.push(ray(o, d));
+    }
+    all
+}
+
+/// Rays that graze the surface ever closer: between neighbouring pixels of a picture of size × size pixels of which one
+/// is a miss and one is not, by bisection until the two rays are the same. At most `count` pairs are taken.
+///
+/// # Panics
+/// If the picture cannot be rendered.
+pub fn silhouettes(picture: &Picture, size: u32, count: usize, isa: Isa) -> Vec<Ray> {
+    let rendering = picture.render(size, isa);
+    let is_miss = |answer: &Answer| answer.first == Verdict::Miss;
+    let mut pairs = Vec::new();
+    for (x, y) in (0..size).flat_map(|y| (1..size).map(move |x| (x, y))) {
+        let pair = [x - 1, x].map(|x| {
+            let miss = is_miss(&rendering.answer(x, y));
+            (miss, picture.camera.ray(x, y, size, size, Sampling::Centre))
+        });
+        match pair {
+            [(true, miss), (false, hit)] | [(false, hit), (true, miss)] => pairs.push((miss, hit)),
+            _ => {}
+        }
+    }
+    let step = pairs.len().div_ceil(count).max(1);
+    let mut all = Vec::new();
+    for (mut miss, mut hit) in pairs.into_iter().step_by(step) {
+        loop {
+            let middle = Ray {
+                origin: (miss.origin + hit.origin) * 0.5,
+                direction: (miss.direction + hit.direction) * 0.5,
+            };
+            if middle == miss || middle == hit {
+                break;
+            }
+            all.push(middle);
+            if is_miss(&picture.first_root(&middle, isa)) {
+                miss = middle;
+            } else {
+                hit = middle;
+            }
+        }
     }
     all
 }

@@ -1,4 +1,4 @@
-//! Sums of exponentials: signs to 85 bits, and where these do not tell, to 240 bits in whole numbers.
+//! Sums of exponentials: signs to 85 bits, and where these do not tell, to 230 bits in whole numbers.
 
 use num_bigint::BigInt;
 use zeroset::camera::Ray;
@@ -87,21 +87,33 @@ impl Along<'_> {
         self.sum.level
     }
 
-    /// The sign of f at s; nothing if 240 bits do not tell.
+    /// f and f' at s, and how far off each of them may be.
     ///
     /// Exponents are below 10⁵ in size and come from fewer than 50 operations, each relatively within 2⁻¹⁰⁰ of the
     /// largest part, so they are right within 2⁻⁷⁵. So are the exponentials, relatively, and the sum relatively to
-    /// the sum of the terms' sizes: 2⁻⁷⁰ of it is a wide margin. A term below e⁻¹⁰⁰ is left out: it is below 2⁻¹⁴⁴.
-    pub fn sign(&self, s: Wide) -> Option<i32> {
-        let mut all = Wide::new(0.0);
+    /// the sum of the terms' sizes: 2⁻⁷⁰ of it is a wide margin. A term below e⁻¹⁰⁰ is left out: it is below 2⁻¹⁴⁴, and
+    /// its slope below 2⁻¹²⁰.
+    pub fn value(&self, s: Wide) -> [(Wide, f64); 2] {
+        let (mut value, mut slope) = (Wide::new(self.sum.level), Wide::new(0.0));
+        let mut sizes = [self.sum.level.abs() + 1.0, 1.0];
         for [c0, c1, c2] in &self.terms {
             let q = c0.add(s.mul(c1.add(s.mul(*c2))));
             if q.hi > -100.0 {
-                all = all.add(q.exp());
+                let e = q.exp();
+                let bend = s.mul(c2.times(2.0));
+                value = value.sub(e);
+                slope = slope.sub(e.mul(c1.add(bend)));
+                sizes[0] += e.hi;
+                sizes[1] += e.hi * (1.0 + c1.hi.abs() + bend.hi.abs());
             }
         }
-        let f = Wide::new(self.sum.level).sub(all);
-        let margin = (self.sum.level.abs() + all.hi + 1.0) * 2f64.powi(-70);
+        let margin = 2f64.powi(-70);
+        [(value, sizes[0] * margin), (slope, sizes[1] * margin)]
+    }
+
+    /// The sign of f at s; nothing if 230 bits do not tell.
+    pub fn sign(&self, s: Wide) -> Option<i32> {
+        let [(f, margin), _] = self.value(s);
         if f.hi.abs() > margin {
             return Some(if f.hi > 0.0 { 1 } else { -1 });
         }

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 use zeroset::camera::Ray;
+use zeroset::interval::Isa;
 use zeroset_oracle::gallery::{self, oblique};
 use zeroset_oracle::picture::{Outcome, Picture, paths};
 use zeroset_oracle::stress;
@@ -16,25 +17,25 @@ fn surfaces() -> Vec<Picture> {
 }
 
 fn check(pictures: &[Picture], rays: &[Ray]) -> Vec<Outcome> {
-    let paths = paths();
-    let outcomes: Vec<Outcome> = pictures
-        .iter()
-        .map(|p| p.check_rays(rays, &paths))
-        .collect();
-    for outcome in &outcomes {
-        let mut wrong = outcome.wrong_lists.clone();
-        for (path, tally) in &outcome.paths {
-            println!("{}; {path}: {tally}", outcome.name);
-            assert!(tally.undecided == 0);
-            if tally.wrong > 0 {
-                wrong.extend(tally.examples.clone());
-            }
+    pictures.iter().map(|p| check_one(p, rays)).collect()
+}
+
+/// Nothing is wrong, and no path contradicts another; only the oracle for sums may be undecided.
+fn check_one(picture: &Picture, rays: &[Ray]) -> Outcome {
+    let outcome = picture.check_rays(rays, &paths());
+    let mut wrong = outcome.wrong_lists.clone();
+    for (path, tally) in &outcome.paths {
+        println!("{}; {path}: {tally}", outcome.name);
+        let sum = outcome.name.contains("exponentials");
+        assert!(sum || tally.undecided == 0);
+        if tally.wrong > 0 {
+            wrong.extend(tally.examples.clone());
         }
-        assert_eq!(outcome.wrong(), 0, "{}: {}", outcome.name, wrong.join("\n"));
-        let differences = outcome.differences.join("\n");
-        assert_eq!(outcome.contradictions, 0, "{}: {differences}", outcome.name);
     }
-    outcomes
+    assert_eq!(outcome.wrong(), 0, "{}: {}", outcome.name, wrong.join("\n"));
+    let differences = outcome.differences.join("\n");
+    assert_eq!(outcome.contradictions, 0, "{}: {differences}", outcome.name);
+    outcome
 }
 
 /// Tangent to the sphere within ±3 ulp: hits, misses and tangencies, all of them right.
@@ -59,6 +60,26 @@ fn rays_from_inside() {
 fn rays_from_far_away() {
     for distance in [3.0, 1e3, 1e6, 1e9] {
         check(&surfaces(), &stress::towards(distance, 200));
+    }
+}
+
+/// From a pixel's width beside the silhouette to the last bit.
+#[test]
+fn rays_that_graze() {
+    let mut pictures = surfaces();
+    pictures.extend(gallery::sums(1..=2));
+    for picture in &pictures {
+        let rays = stress::silhouettes(picture, 24, 12, Isa::available()[0]);
+        assert!(rays.len() > 300, "{}: {} rays", picture.name, rays.len());
+        let outcome = check_one(picture, &rays);
+        for (path, tally) in &outcome.paths {
+            // What the oracle for sums cannot tell is within 1e-9 of a tangency.
+            assert!(
+                tally.undecided * 2 < tally.rays,
+                "{}; {path}: {tally}",
+                picture.name
+            );
+        }
     }
 }
 
