@@ -13,7 +13,7 @@ pub use field::{
 };
 pub(crate) use march::{Events, Search, march};
 pub(crate) use quadric::closed_form;
-pub(crate) use refine::refine;
+pub(crate) use refine::Refine;
 pub(crate) use sharpen::{Line, WIDE, sharpen};
 
 use crate::interval::{Interval, Packet};

@@ -16,10 +16,26 @@ fn goal<P: Packet>(p: P, t: &Interval<P::F>) -> P::F {
     )
 }
 
+/// [`refine`] as a routine of its own, which all solvers of a surface share.
+pub(crate) struct Refine<'b, 'f, S: Surface, P: Packet> {
+    pub field: &'b mut Field<'f, S, P>,
+    pub brackets: &'b Brackets<P>,
+    pub plain_convergence: bool,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Refine<'_, '_, S, P> {
+    type Output = Interval<P::F>;
+
+    #[inline(always)]
+    fn call(self, _p: P) -> Interval<P::F> {
+        refine(self.field, self.brackets, self.plain_convergence)
+    }
+}
+
 /// Encloses the root of each bracket. What comes out is always a part of the bracket that holds the root; how narrow it
 /// gets depends on the noise of f alone.
 #[inline(always)]
-pub(crate) fn refine<S: Surface, P: Packet>(
+fn refine<S: Surface, P: Packet>(
     field: &mut Field<'_, S, P>,
     brackets: &Brackets<P>,
     plain_convergence: bool,

@@ -14,7 +14,7 @@ use core::marker::PhantomData;
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};
 use crate::solve::{
-    Brackets, Events, Field, Line, Search, Settings, WIDE, closed_form, march, refine, select,
+    Brackets, Events, Field, Line, Refine, Search, Settings, WIDE, closed_form, march, select,
     sharpen,
 };
 use crate::surface::{Active, Surface};
@@ -141,7 +141,11 @@ impl<S: Surface, C: Contractor, P: Packet> FirstRoots<'_, '_, S, C, P> {
         };
         let found: Brackets<P> = march::<S, C, P>(field, &search, events);
         if p.any(found.found) {
-            let t = refine(field, &found, settings.plain_convergence);
+            let t = p.call(Refine {
+                field,
+                brackets: &found,
+                plain_convergence: settings.plain_convergence,
+            });
             roots.t = select(p, found.found, &t, &roots.t);
             roots.resume = p.select(found.found, found.resume, roots.resume);
             roots.hit = p.or(roots.hit, found.found);
