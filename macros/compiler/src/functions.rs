@@ -49,8 +49,20 @@ pub struct Entry {
     pub smooth: bool,
 }
 
-const fn entry(function: Function, name: &'static str, arity: usize, total: bool, smooth: bool) -> Entry {
-    Entry { function, name, arity, total, smooth }
+const fn entry(
+    function: Function,
+    name: &'static str,
+    arity: usize,
+    total: bool,
+    smooth: bool,
+) -> Entry {
+    Entry {
+        function,
+        name,
+        arity,
+        total,
+        smooth,
+    }
 }
 
 /// All functions, in the order of [`Function`].

@@ -303,7 +303,7 @@ fn call(name: &str, arguments: &[TokenStream]) -> Expression {
 /// Does the operation's inclusion keep the lower bound at 0 or above by itself?
 fn bounded_by_itself(op: &Op) -> bool {
     match op {
-        Op::Power(_, n) => n % 2 == 0,
+        Op::Power(_, n) => n.is_multiple_of(2),
         Op::Unary(f, _) => matches!(f, Function::Abs | Function::Exp | Function::Sqrt),
         Op::Binary(f, ..) => matches!(f, Function::Hypot | Function::Min | Function::Max),
         _ => false,

@@ -178,8 +178,8 @@ impl Graph {
                     return id;
                 }
             }
-            (Op::Negate(x), _) if n % 2 == 0 => return self.power(x, n),
-            (Op::Unary(crate::functions::Function::Abs, x), _) if n % 2 == 0 => {
+            (Op::Negate(x), _) if n.is_multiple_of(2) => return self.power(x, n),
+            (Op::Unary(crate::functions::Function::Abs, x), _) if n.is_multiple_of(2) => {
                 return self.power(x, n);
             }
             (Op::Power(x, m), _) => {
@@ -191,7 +191,7 @@ impl Graph {
         }
         let info = self.info(a);
         let degree = info.degree.and_then(|d| d.checked_mul(n));
-        let sign = if n % 2 == 0 {
+        let sign = if n.is_multiple_of(2) {
             Sign::NonNegative
         } else {
             info.sign
@@ -213,7 +213,7 @@ impl Graph {
         let Some(n) = n else {
             return self.node(Op::RealPower(a, b), None, Sign::NonNegative, true);
         };
-        let magnitude = if n % 2 == 0 {
+        let magnitude = if n.is_multiple_of(2) {
             self.power(a, n / 2)
         } else {
             let root = self.unary(crate::functions::Function::Sqrt, a);
