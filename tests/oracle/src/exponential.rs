@@ -28,7 +28,7 @@ pub fn exp(x: &Dyadic) -> BigInt {
     let mut sum = unit.clone();
     let mut term = unit;
     for n in 1.. {
-        term = (term * &y >> BITS) / n;
+        term = ((term * &y) >> BITS) / n;
         // −1 is what rounding down makes of almost 0.
         if term.is_zero() || term == BigInt::from(-1) {
             break;
@@ -36,7 +36,7 @@ pub fn exp(x: &Dyadic) -> BigInt {
         sum += &term;
     }
     for _ in 0..HALVINGS {
-        sum = &sum * &sum >> BITS;
+        sum = (&sum * &sum) >> BITS;
     }
     sum
 }

@@ -2,6 +2,8 @@
 //! for every formula, that shares no arithmetic, no graph and no parser with the project.
 
 #![forbid(unsafe_code)]
+// Coordinates are told apart by their index, in several arrays at once; numbers have the operations that are used, by name.
+#![allow(clippy::needless_range_loop, clippy::should_implement_trait)]
 
 pub mod claims;
 pub mod dyadic;

@@ -22,6 +22,7 @@ pub fn coordinates(ray: &Ray) -> [Poly; 3] {
 pub fn clip(ray: &Ray, domain: &[[f64; 3]; 2]) -> Option<(BigRational, BigRational)> {
     let mut near = BigRational::zero();
     let mut far: Option<BigRational> = None;
+    #[allow(clippy::needless_range_loop)]
     for axis in 0..3 {
         let (o, d) = (ray.origin.to_array()[axis], ray.direction.to_array()[axis]);
         let (lo, hi) = (domain[0][axis], domain[1][axis]);
