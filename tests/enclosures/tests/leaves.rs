@@ -206,6 +206,7 @@ fn recentring_far_origins_is_tight() {
         for _ in 0..2000 {
             // An origin far away whose ray comes near 0: the sum cancels down to what the product rounded off.
             let mut operands = [[0.0; 8]; 3];
+            #[allow(clippy::needless_range_loop)]
             for lane in 0..8 {
                 let (entry, d) = ((source.unit() * 60.0).exp2(), source.unit() * 2.0 - 1.0);
                 let offset = source.unit() * (source.unit() * 60.0 - 40.0).exp2();

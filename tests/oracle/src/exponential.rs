@@ -67,7 +67,7 @@ mod tests {
     fn powers_multiply() {
         for (a, b) in [(3.5, -7.25), (-90.0, 20.125), (0.1, 0.2), (-1e-9, 1e-9)] {
             let (a, b) = (Dyadic::float(a), Dyadic::float(b));
-            let product = exp(&a) * exp(&b) >> BITS;
+            let product = (exp(&a) * exp(&b)) >> BITS;
             assert!(close(&product, &exp(&a.add(&b))));
         }
         assert!(close(&exp(&Dyadic::whole(0)), &(BigInt::from(1) << BITS)));

@@ -184,9 +184,8 @@ fn what_cannot_be_rendered_is_refused_with_advice() {
         origin: DVec3::ZERO,
         direction: DVec3::ZERO,
     };
-    let error = all_roots(&Scene::new().with(ball(1.0)), &ray, &Options::new(1, 1))
-        .err()
-        .expect("an error");
+    let error =
+        all_roots(&Scene::new().with(ball(1.0)), &ray, &Options::new(1, 1)).expect_err("an error");
     assert!(matches!(error, RenderError::BadRay), "{error}");
 }
 
