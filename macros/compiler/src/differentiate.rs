@@ -1,6 +1,6 @@
 //! Fast automatic differentiation on the graph: top-down (reverse) in space, forward along the ray.
 //!
-//! Both read the same table, [`Graph::partials`]: the partial derivatives of an operation by its operands, as nodes.
+//! Both read the same table, `Graph::partials`: the partial derivatives of an operation by its operands, as nodes.
 //! The forward values are shared because the graph is hash-consed. The gradient costs one sweep whatever the number of
 //! variables (Baur and Strassen 1983); sweeping over the gradient's own nodes gives the Hessian.
 

@@ -19,7 +19,11 @@ impl Random {
     /// A number of either sign with an exponent between −30 and 30.
     fn number(&mut self) -> f64 {
         let size = 1.0 + self.bits() as f64 / (1u64 << 53) as f64;
-        let sign = if self.bits().is_multiple_of(2) { 1.0 } else { -1.0 };
+        let sign = if self.bits().is_multiple_of(2) {
+            1.0
+        } else {
+            -1.0
+        };
         sign * size * 2f64.powi((self.bits() % 61) as i32 - 30)
     }
     /// A sum of two doubles, exactly.
