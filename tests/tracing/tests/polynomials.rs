@@ -181,7 +181,6 @@ fn wrong_answers_are_caught() {
 }
 
 /// The same code with rounding to nearest is caught.
-#[cfg(feature = "unrounded")]
 #[test]
 fn without_rounding_answers_are_wrong() {
     let s = Hand::new(Sphere(0.7), 2.0);
@@ -194,10 +193,4 @@ fn without_rounding_answers_are_wrong() {
         println!("{isa}: {wrong} wrong answers");
         assert!(wrong > 0, "{isa}: rounding to nearest was not noticed");
     }
-}
-
-#[cfg(not(feature = "unrounded"))]
-#[test]
-fn without_rounding_answers_are_wrong() {
-    println!("SKIPPED without_rounding_answers_are_wrong: build with --features unrounded");
 }
