@@ -116,8 +116,7 @@ impl Judge<'_> {
 
     /// entry + t − base, exactly: the entry and the base are neighbours, or the same.
     fn place(&self, answer: &Answer, t: f64) -> Wide {
-        let shift = Wide::new(answer.entry).sub(Wide::new(self.along.base));
-        shift.add(Wide::new(t))
+        Wide::new(answer.entry) - Wide::new(self.along.base) + Wide::new(t)
     }
 
     /// Exactly one root in [lo, hi], none before.

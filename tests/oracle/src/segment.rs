@@ -11,9 +11,9 @@ pub type Corners = [[f64; 3]; 2];
 pub fn clip(ray: &Ray, corners: &Corners) -> Option<(Rational, Rational)> {
     let mut near = Rational::dyadic(&Dyadic::whole(0));
     let mut far: Option<Rational> = None;
-    for axis in 0..3 {
-        let (o, d) = (ray.origin.to_array()[axis], ray.direction.to_array()[axis]);
-        let (lo, hi) = (corners[0][axis], corners[1][axis]);
+    let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+    let lines = origin.into_iter().zip(direction);
+    for ((o, d), (&lo, &hi)) in lines.zip(corners[0].iter().zip(&corners[1])) {
         if d == 0.0 {
             if o < lo || o > hi {
                 return None;

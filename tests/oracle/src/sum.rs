@@ -54,21 +54,19 @@ impl Sum {
 /// −q along the ray. With a point p = p₀ + d·s and Δ = p₀ − centre, q is the quadratic form of Δ + d·s.
 fn term(row: &Row, ray: &Ray, base: f64) -> [Wide; 3] {
     let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
-    let delta: [Wide; 3] = std::array::from_fn(|k| {
-        let start = Wide::new(base).times(d[k]).add(Wide::new(o[k]));
-        start.sub(Wide::new(row[k]))
-    });
+    let delta: [Wide; 3] =
+        std::array::from_fn(|k| Wide::new(base).times(d[k]) + Wide::new(o[k]) - Wide::new(row[k]));
     let d = d.map(Wide::new);
     let form = |p: &[Wide; 3], q: &[Wide; 3]| {
         let mut all = Wide::new(0.0);
         for (&a, (i, j)) in row[3..].iter().zip(PAIRS) {
-            all = all.add(p[i].mul(q[j]).times(-a));
+            all = all + (p[i] * q[j]).times(-a);
         }
         all
     };
     [
         form(&delta, &delta),
-        form(&delta, &d).add(form(&d, &delta)),
+        form(&delta, &d) + form(&d, &delta),
         form(&d, &d),
     ]
 }
@@ -96,13 +94,13 @@ impl Along<'_> {
     pub fn value(&self, s: Wide) -> [(Wide, f64); 2] {
         let (mut value, mut slope) = (Wide::new(self.sum.level), Wide::new(0.0));
         let mut sizes = [self.sum.level.abs() + 1.0, 1.0];
-        for [c0, c1, c2] in &self.terms {
-            let q = c0.add(s.mul(c1.add(s.mul(*c2))));
+        for &[c0, c1, c2] in &self.terms {
+            let q = c0 + s * (c1 + s * c2);
             if q.hi > -100.0 {
                 let e = q.exp();
-                let bend = s.mul(c2.times(2.0));
-                value = value.sub(e);
-                slope = slope.sub(e.mul(c1.add(bend)));
+                let bend = s * c2.times(2.0);
+                value = value - e;
+                slope = slope - e * (c1 + bend);
                 sizes[0] += e.hi;
                 sizes[1] += e.hi * (1.0 + c1.hi.abs() + bend.hi.abs());
             }

@@ -1,5 +1,7 @@
 //! Unevaluated sums of two floats: about 106 bits, fast, and without a guarantee below 2⁻¹⁰⁰.
 
+use std::ops::{Add, Mul, Neg, Sub};
+
 /// The number hi + lo, |lo| ≤ ulp(hi)/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wide {
@@ -32,36 +34,9 @@ impl Wide {
         Wide { hi: x, lo: 0.0 }
     }
 
-    /// self + other, relative to |self| + |other| within 2⁻¹⁰⁰.
-    pub fn add(self, other: Wide) -> Wide {
-        let s = sum(self.hi, other.hi);
-        let t = sum(self.lo, other.lo);
-        let first = sum(s.hi, s.lo + t.hi);
-        sum(first.hi, first.lo + t.lo)
-    }
-
-    /// −self
-    pub fn neg(self) -> Wide {
-        Wide {
-            hi: -self.hi,
-            lo: -self.lo,
-        }
-    }
-
-    /// self − other
-    pub fn sub(self, other: Wide) -> Wide {
-        self.add(other.neg())
-    }
-
-    /// self·other, relatively within 2⁻¹⁰⁰.
-    pub fn mul(self, other: Wide) -> Wide {
-        let p = product(self.hi, other.hi);
-        sum(p.hi, p.lo + (self.hi * other.lo + self.lo * other.hi))
-    }
-
     /// self·x
     pub fn times(self, x: f64) -> Wide {
-        self.mul(Wide::new(x))
+        self * Wide::new(x)
     }
 
     /// eˣ for |x| ≤ 300, relatively within 2⁻⁸⁵: x = k·ln 2 + 64·y with |y| ≤ 0.0055; ten terms of Taylor's series leave
@@ -73,16 +48,53 @@ impl Wide {
             lo: 2.319_046_813_846_299_6e-17,
         };
         let k = (self.hi / ln_2.hi).round();
-        let y = self.sub(ln_2.times(k)).times(1.0 / 64.0);
+        let y = (self - ln_2.times(k)).times(1.0 / 64.0);
         // Horner: 1 + y(1 + y/2(1 + y/3(…)))
         let mut e = Wide::new(1.0);
         for n in (1..=10).rev() {
-            e = Wide::new(1.0).add(y.mul(e).mul(INVERSE[n]));
+            e = Wide::new(1.0) + y * e * INVERSE[n];
         }
         for _ in 0..6 {
-            e = e.mul(e);
+            e = e * e;
         }
         e.times(k.exp2())
+    }
+}
+
+/// Relative to |a| + |b| within 2⁻¹⁰⁰.
+impl Add for Wide {
+    type Output = Wide;
+    fn add(self, other: Wide) -> Wide {
+        let s = sum(self.hi, other.hi);
+        let t = sum(self.lo, other.lo);
+        let first = sum(s.hi, s.lo + t.hi);
+        sum(first.hi, first.lo + t.lo)
+    }
+}
+
+impl Neg for Wide {
+    type Output = Wide;
+    fn neg(self) -> Wide {
+        Wide {
+            hi: -self.hi,
+            lo: -self.lo,
+        }
+    }
+}
+
+impl Sub for Wide {
+    type Output = Wide;
+    fn sub(self, other: Wide) -> Wide {
+        self + -other
+    }
+}
+
+/// Relatively within 2⁻¹⁰⁰.
+impl Mul for Wide {
+    type Output = Wide;
+    fn mul(self, other: Wide) -> Wide {
+        let p = product(self.hi, other.hi);
+        sum(p.hi, p.lo + (self.hi * other.lo + self.lo * other.hi))
     }
 }
 
@@ -133,8 +145,8 @@ mod tests {
 
     #[test]
     fn sums_and_products_keep_a_hundred_bits() {
-        let a = Wide::new(1.0).add(Wide::new(2f64.powi(-90)));
-        let square = a.mul(a).sub(Wide::new(1.0));
+        let a = Wide::new(1.0) + Wide::new(2f64.powi(-90));
+        let square = a * a - Wide::new(1.0);
         assert_eq!(square.hi, 2f64.powi(-89));
     }
 }
