@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn srgb_is_the_standard_curve() {
-        assert_eq!(srgb(Vec3::new(0.0, 1.0, 0.214_041)).0, [0, 255, 128]);
+        assert_eq!(srgb(Vec3::new(0.0, 1.0, 0.215_861)).0, [0, 255, 128]);
         assert_eq!(srgb(Vec3::new(0.002, 2.0, -1.0)).0, [7, 255, 0]);
     }
 }
