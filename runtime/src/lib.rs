@@ -33,7 +33,7 @@
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
 //! - [`interval`]: intervals, packets, back-ends, for those who want to look below.
 //!
-//! Generated code is compiled in your crate: without optimisation it is 100 times slower. Put `opt-level = 1` under
+//! Generated code is compiled in your crate: without optimisation it is far slower. Put `opt-level = 1` under
 //! `[profile.dev]`.
 
 #[doc(hidden)]

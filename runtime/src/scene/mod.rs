@@ -9,8 +9,13 @@ use crate::surface::{ParameterError, Surface};
 
 /// Surfaces, and the box that they are seen in.
 ///
-/// ```ignore
-/// let scene = Scene::new().with(sphere).with_solver::<Halley, _>(torus);
+/// ```
+/// use zeroset::{Scene, contract::Halley, implicit};
+///
+/// implicit! { struct Ball; x^2 + y^2 + z^2 = 1 }
+/// implicit! { struct Tube; x^2 + y^2 = 0.25 }
+/// let scene = Scene::new().with(Ball).with_solver::<Halley, _>(Tube).within([-2.0; 3], [2.0; 3]);
+/// assert_eq!(scene.len(), 2);
 /// ```
 #[derive(Default)]
 pub struct Scene {
