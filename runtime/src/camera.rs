@@ -2,6 +2,9 @@
 
 use glam::DVec3;
 
+use crate::interval::Packet;
+use crate::ray::Lines;
+
 /// A half line: the points `origin + t·direction`, t ≥ 0.
 ///
 /// These `f64` numbers *are* the exact ray, whatever rounding made them: every verdict speaks of this line. The
@@ -16,6 +19,7 @@ pub struct Ray {
 
 impl Ray {
     /// The point at `t`, rounded to nearest.
+    #[inline]
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + self.direction * t
     }
@@ -140,14 +144,8 @@ impl Camera {
     /// `width`×`height` pixels.
     #[inline(always)]
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32, sampling: Sampling) -> Ray {
-        let offset = match sampling {
-            Sampling::Centre => 0.5,
-            Sampling::Corner => 0.0,
-        };
-        let scale = 2.0 / f64::from(height);
-        let u = (f64::from(x) + offset - 0.5 * f64::from(width)) * scale;
-        let v = (0.5 * f64::from(height) - f64::from(y) - offset) * scale;
-        let shift = self.right * u + self.up * v;
+        let [u, v, scale] = plane([x, y], [width, height], sampling);
+        let shift = self.right * (u * scale) + self.up * (v * scale);
         match self.lens {
             Lens::Perspective => Ray {
                 origin: self.from,
@@ -159,11 +157,64 @@ impl Camera {
             },
         }
     }
+
+    /// The rays of a packet of pixels from `corner` on: by the same operations as [`ray`](Camera::ray), so they are the
+    /// same rays.
+    #[inline(always)]
+    pub(crate) fn rays<P: Packet>(
+        &self,
+        p: P,
+        corner: [u32; 2],
+        picture: [u32; 2],
+        sampling: Sampling,
+        lines: &mut Lines,
+    ) {
+        let [u, v, scale] = plane(corner, picture, sampling);
+        let scale = p.splat(scale);
+        let u = p.mul_rn(p.add_rn(p.splat(u), p.lanes(COLUMNS)), scale);
+        let v = p.mul_rn(p.sub_rn(p.splat(v), p.lanes(ROWS)), scale);
+        let (right, up) = (self.right.to_array(), self.up.to_array());
+        let (from, forward) = (self.from.to_array(), self.forward.to_array());
+        for k in 0..3 {
+            let shift = p.add_rn(p.mul_rn(p.splat(right[k]), u), p.mul_rn(p.splat(up[k]), v));
+            match self.lens {
+                Lens::Perspective => {
+                    lines.origin[k] = [from[k]; 8];
+                    lines.direction[k] = p.to_array(p.add_rn(p.splat(forward[k]), shift));
+                }
+                Lens::Orthographic => {
+                    lines.origin[k] = p.to_array(p.add_rn(p.splat(from[k]), shift));
+                    lines.direction[k] = [forward[k]; 8];
+                }
+            }
+        }
+    }
+}
+
+/// Where the pixels of a packet of 4×2 lie from its first.
+const COLUMNS: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0];
+const ROWS: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+
+/// A pixel on the picture plane, in pixels to the right and up from the middle (half of them, exact), and the size of
+/// a pixel in halves of the picture's height.
+#[inline(always)]
+fn plane(pixel: [u32; 2], picture: [u32; 2], sampling: Sampling) -> [f64; 3] {
+    let offset = match sampling {
+        Sampling::Centre => 0.5,
+        Sampling::Corner => 0.0,
+    };
+    let [width, height] = picture.map(f64::from);
+    [
+        f64::from(pixel[0]) + offset - 0.5 * width,
+        0.5 * height - f64::from(pixel[1]) - offset,
+        2.0 / height,
+    ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interval::{Isa, Kernel};
 
     #[test]
     fn the_middle_ray_looks_forward() {
@@ -184,6 +235,35 @@ mod tests {
         let next = camera.ray(0, 8, 8, 8, Sampling::Corner);
         assert_eq!(top.direction, next.direction);
         assert_eq!(top.origin.y - next.origin.y, 4.0);
+    }
+
+    #[test]
+    fn packets_hold_the_same_rays() {
+        struct Same(Camera);
+        impl Kernel for Same {
+            type Output = ();
+            fn run<P: Packet>(self, p: P) {
+                for sampling in [Sampling::Centre, Sampling::Corner] {
+                    let mut lines = Lines::default();
+                    self.0.rays(p, [8, 6], [31, 17], sampling, &mut lines);
+                    for lane in 0..8 {
+                        let (x, y) = (8 + lane as u32 % 4, 6 + lane as u32 / 4);
+                        let ray = self.0.ray(x, y, 31, 17, sampling);
+                        let origin = lines.origin.map(|o| o[lane]);
+                        let direction = lines.direction.map(|d| d[lane]);
+                        assert_eq!(
+                            (origin, direction),
+                            (ray.origin.into(), ray.direction.into())
+                        );
+                    }
+                }
+            }
+        }
+        let (from, at) = (DVec3::new(1.1, -2.3, 5.7), DVec3::new(0.1, 0.3, -0.7));
+        for isa in Isa::available() {
+            isa.run(Same(Camera::perspective(from, at, DVec3::Y, 37.0).unwrap()));
+            isa.run(Same(Camera::orthographic(from, at, DVec3::Y, 1.3).unwrap()));
+        }
     }
 
     #[test]

@@ -18,7 +18,7 @@ pub struct Rays<P: Packet> {
 }
 
 /// Up to eight exact rays, as their `f64` numbers; `origin[k][i]` is coordinate k of ray i.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Lines {
     pub origin: [[f64; 8]; 3],
     pub direction: [[f64; 8]; 3],
@@ -32,16 +32,6 @@ impl Lines {
             origin: spread(ray.origin.to_array()),
             direction: spread(ray.direction.to_array()),
         }
-    }
-
-    #[inline(always)]
-    pub fn set(&mut self, i: usize, ray: &Ray) {
-        self.origin[0][i] = ray.origin.x;
-        self.origin[1][i] = ray.origin.y;
-        self.origin[2][i] = ray.origin.z;
-        self.direction[0][i] = ray.direction.x;
-        self.direction[1][i] = ray.direction.y;
-        self.direction[2][i] = ray.direction.z;
     }
 }
 

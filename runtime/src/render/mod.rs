@@ -1,8 +1,10 @@
 //! From a scene to a picture whose pixels are proved.
 
-mod assemble;
 mod options;
+mod record;
 mod rendering;
+mod settle;
+mod shard;
 mod statistics;
 pub(crate) mod tile;
 
@@ -10,7 +12,7 @@ pub use options::{Options, Progress};
 pub use rendering::{Pixel, Rendering};
 pub use statistics::{Phases, Statistics};
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -19,7 +21,8 @@ use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
 use crate::scene::{Prepared, Scene, SceneError, hull};
 use crate::verdict::{Answer, Verdict};
-use rendering::Piece;
+use settle::settle;
+use shard::Shard;
 use tile::{TILE, Tile};
 
 /// A picture that cannot be rendered.
@@ -153,70 +156,77 @@ impl<'a> Job<'a> {
         })
     }
 
+    /// Each thread takes the next tile until none is left, and keeps what it finished in one piece of memory.
     fn run(self) -> Rendering {
         let start = Instant::now();
         let picture = [self.options.width, self.options.height];
-        let columns = picture[0].div_ceil(TILE);
-        let tiles = columns * picture[1].div_ceil(TILE);
+        let tiles = picture[0].div_ceil(TILE) * picture[1].div_ceil(TILE);
+        let threads = rayon::current_num_threads();
+        let next = AtomicU32::new(0);
         let done = AtomicUsize::new(0);
-        let pieces: Vec<Piece> = (0..tiles)
+        let shards: Vec<Shard> = (0..threads)
             .into_par_iter()
-            .map(|number| {
-                let piece = self.piece([number % columns * TILE, number / columns * TILE]);
-                if let Some(progress) = self.options.progress {
-                    let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-                    progress(Progress {
-                        done,
-                        of: tiles as usize,
-                    });
+            .with_max_len(1)
+            .map(|_| {
+                let mut tile = Tile::default();
+                let mut shard = Shard::with_room(tiles as usize / threads + 1);
+                loop {
+                    let number = next.fetch_add(1, Ordering::Relaxed);
+                    if number >= tiles {
+                        break shard;
+                    }
+                    self.trace(number, &mut tile, &mut shard);
+                    if let Some(progress) = self.options.progress {
+                        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                        progress(Progress {
+                            done,
+                            of: tiles as usize,
+                        });
+                    }
                 }
-                piece
             })
             .collect();
-        let mut statistics = Statistics::new(self.isa.name(), rayon::current_num_threads());
-        for piece in &pieces {
-            statistics.add(piece);
-        }
+        let mut statistics = Statistics::new(self.isa.name(), threads);
         statistics.elapsed = start.elapsed();
-        Rendering::new(picture, pieces, self.names, statistics)
+        Rendering::new(picture, shards, self.names, statistics)
     }
 
     /// Traces one tile.
-    fn piece(&self, corner: [u32; 2]) -> Piece {
+    fn trace(&self, number: u32, tile: &mut Tile, shard: &mut Shard) {
         let options = self.options;
-        let size = [
+        let columns = options.width.div_ceil(TILE);
+        let corner = [number % columns * TILE, number / columns * TILE];
+        tile.size = [
             TILE.min(options.width - corner[0]),
             TILE.min(options.height - corner[1]),
         ];
-        let Some(domain) = &self.domain else {
-            return Piece {
-                size,
-                ..Piece::default()
-            };
+        let Some(domain) = self.domain else {
+            shard.keep(number, tile, Vec::new(), &Phases::default());
+            return;
         };
+        tile.domain = domain;
         let mut phases = Phases::default();
         let clock = Instant::now();
-        let mut tile: Tile = self.isa.run(tile::Rays {
+        self.isa.run(tile::Rays {
             camera: self.camera,
             picture: [options.width, options.height],
             sampling: options.sampling,
-            domain,
             corner,
-            size,
+            tile,
         });
         phases.rays = clock.elapsed();
         for (index, (surface, own)) in self.prepared.iter().zip(&self.boxes).enumerate() {
-            surface.trace(self.isa, &options.settings, own, index as u16, &mut tile);
+            surface.trace(self.isa, &options.settings, own, index as u16, tile);
         }
-        let specials = assemble::specials(&mut tile);
+        let specials = settle(tile);
         phases.roots = clock.elapsed() - phases.rays;
         if options.normals {
             for (index, surface) in self.prepared.iter().enumerate() {
-                surface.normals(self.isa, index as u16, &mut tile);
+                surface.normals(self.isa, index as u16, tile);
             }
         }
         phases.normals = clock.elapsed() - phases.rays - phases.roots;
-        assemble::piece(&tile, specials, phases)
+        shard.keep(number, tile, specials, &phases);
     }
 }
 

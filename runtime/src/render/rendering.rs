@@ -1,45 +1,10 @@
 //! The finished picture: an answer per pixel.
 
-use super::statistics::{Phases, Statistics};
-use super::tile::{NOTHING, TILE};
+use super::shard::{Place, Shard};
+use super::statistics::Statistics;
+use super::tile::{TILE, Tile};
 use crate::interval::Interval;
-use crate::solve::Evaluations;
 use crate::verdict::{Answer, Verdict};
-
-/// The kind of a pixel's first verdict.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Miss,
-    Root,
-    Tangent,
-    Crossing,
-    Unresolved,
-}
-
-/// What is kept per pixel. Answers that are neither a miss nor a plain root are in the piece's list.
-#[derive(Clone, Copy)]
-pub(crate) struct Record {
-    pub entry: f64,
-    pub lo: f64,
-    pub hi: f64,
-    pub normal: [f32; 3],
-    pub surface: u16,
-    pub kind: Kind,
-    pub tied: bool,
-}
-
-/// A finished tile: rows of pixels from its upper left corner.
-#[derive(Default)]
-pub(crate) struct Piece {
-    /// Nothing at all if every pixel is a miss.
-    pub records: Vec<Record>,
-    /// Width and height.
-    pub size: [u32; 2],
-    /// In ascending order of the pixel's index.
-    pub specials: Vec<(u32, Answer)>,
-    pub counts: Evaluations,
-    pub phases: Phases,
-}
 
 /// What is known about one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +22,9 @@ pub struct Pixel {
 /// A finished picture.
 pub struct Rendering {
     size: [u32; 2],
-    pieces: Vec<Piece>,
+    shards: Vec<Shard>,
+    /// Where each tile's packets are.
+    tiles: Vec<Place>,
     names: Vec<&'static str>,
     statistics: Statistics,
 }
@@ -65,13 +32,24 @@ pub struct Rendering {
 impl Rendering {
     pub(super) fn new(
         size: [u32; 2],
-        pieces: Vec<Piece>,
+        shards: Vec<Shard>,
         names: Vec<&'static str>,
-        statistics: Statistics,
+        mut statistics: Statistics,
     ) -> Self {
+        let mut tiles = vec![Place::default(); shards.iter().map(|s| s.tiles.len()).sum()];
+        for (index, shard) in shards.iter().enumerate() {
+            statistics.add(&shard.statistics);
+            for &(number, place) in &shard.tiles {
+                tiles[number as usize] = Place {
+                    shard: index as u32,
+                    ..place
+                };
+            }
+        }
         Rendering {
             size,
-            pieces,
+            shards,
+            tiles,
             names,
             statistics,
         }
@@ -102,8 +80,7 @@ impl Rendering {
     /// # Panics
     /// If there is no such pixel.
     pub fn pixel(&self, x: u32, y: u32) -> Pixel {
-        let (piece, index) = self.place(x, y);
-        let Some(record) = piece.records.get(index) else {
+        let Some((shard, index, lane)) = self.place(x, y) else {
             return Pixel {
                 answer: Answer::miss(0.0),
                 surface: None,
@@ -111,32 +88,32 @@ impl Rendering {
                 tied: false,
             };
         };
-        let t = Interval {
-            lo: record.lo,
-            hi: record.hi,
-        };
-        let plain = |first| Answer {
-            entry: record.entry,
-            first,
-            behind: None,
-        };
-        let answer = match record.kind {
-            Kind::Miss => plain(Verdict::Miss),
-            Kind::Root => plain(Verdict::Root { t }),
-            _ => {
-                let found = piece
-                    .specials
-                    .binary_search_by_key(&(index as u32), |(i, _)| *i);
-                piece.specials
-                    [found.expect("each pixel that is neither a miss nor a root is listed")]
-                .1
+        let record = &shard.records[index];
+        let has = |bits: u8| bits >> lane & 1 != 0;
+        let answer = if has(record.special) {
+            shard.special(index, lane)
+        } else {
+            Answer {
+                entry: record.entry[lane],
+                first: if has(record.shown) {
+                    Verdict::Root {
+                        t: Interval {
+                            lo: record.lo[lane],
+                            hi: record.hi[lane],
+                        },
+                    }
+                } else {
+                    Verdict::Miss
+                },
+                behind: None,
             }
         };
+        let normal = record.normal.map(|n| n[lane]);
         Pixel {
             answer,
-            surface: (record.surface != NOTHING).then_some(usize::from(record.surface)),
-            normal: (record.normal != [0.0; 3]).then_some(record.normal),
-            tied: record.tied,
+            surface: has(record.shown).then_some(usize::from(record.surface[lane])),
+            normal: (normal != [0.0; 3]).then_some(normal),
+            tied: has(record.tied),
         }
     }
 
@@ -148,14 +125,19 @@ impl Rendering {
         self.pixel(x, y).answer
     }
 
-    fn place(&self, x: u32, y: u32) -> (&Piece, usize) {
+    /// Shard, record and lane of a pixel; nothing if its whole packet misses.
+    fn place(&self, x: u32, y: u32) -> Option<(&Shard, usize, usize)> {
         let [width, height] = self.size;
         assert!(
             x < width && y < height,
             "pixel ({x}, {y}) of a picture of {width}×{height}"
         );
         let columns = width.div_ceil(TILE);
-        let piece = &self.pieces[(y / TILE * columns + x / TILE) as usize];
-        (piece, (y % TILE * piece.size[0] + x % TILE) as usize)
+        let place = self.tiles.get((y / TILE * columns + x / TILE) as usize)?;
+        let corner = [x / TILE * TILE, y / TILE * TILE];
+        let size = [TILE.min(width - corner[0]), TILE.min(height - corner[1])];
+        let (packet, lane) = Tile::place(size, x % TILE, y % TILE);
+        let record = place.of(packet)?;
+        Some((&self.shards[place.shard as usize], record, lane))
     }
 }

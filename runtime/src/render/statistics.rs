@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use super::rendering::{Kind, Piece};
 use crate::solve::Evaluations;
 
 /// Time, summed over threads.
@@ -14,6 +13,14 @@ pub struct Phases {
     pub roots: Duration,
     /// Normals.
     pub normals: Duration,
+}
+
+impl Phases {
+    pub(super) fn add(&mut self, other: &Phases) {
+        self.rays += other.rays;
+        self.roots += other.roots;
+        self.normals += other.normals;
+    }
 }
 
 /// Counts and times of a render.
@@ -54,25 +61,17 @@ impl Statistics {
         }
     }
 
-    pub(super) fn add(&mut self, piece: &Piece) {
-        let rays = u64::from(piece.size[0] * piece.size[1]);
-        self.rays += rays;
-        self.miss += rays - piece.records.len() as u64;
-        for record in &piece.records {
-            let count = match record.kind {
-                Kind::Miss => &mut self.miss,
-                Kind::Root => &mut self.root,
-                Kind::Tangent => &mut self.tangent,
-                Kind::Crossing => &mut self.crossing,
-                Kind::Unresolved => &mut self.unresolved,
-            };
-            *count += 1;
-            self.tied += u64::from(record.tied);
-        }
-        self.evaluations.add(&piece.counts);
-        self.phases.rays += piece.phases.rays;
-        self.phases.roots += piece.phases.roots;
-        self.phases.normals += piece.phases.normals;
+    /// Adds the counts of a shard; what is left of its rays are misses.
+    pub(super) fn add(&mut self, shard: &Statistics) {
+        self.rays += shard.rays;
+        self.root += shard.root;
+        self.tangent += shard.tangent;
+        self.crossing += shard.crossing;
+        self.unresolved += shard.unresolved;
+        self.miss += shard.rays - shard.root - shard.tangent - shard.crossing - shard.unresolved;
+        self.tied += shard.tied;
+        self.evaluations.add(&shard.evaluations);
+        self.phases.add(&shard.phases);
     }
 }
 

@@ -1,5 +1,6 @@
 //! A tile of the picture while it is worked on.
 
+use super::record::Record;
 use crate::camera::{Camera, Sampling};
 use crate::interval::{Kernel, Packet};
 use crate::ray::{Lines, clip};
@@ -10,28 +11,17 @@ use crate::verdict::Verdict;
 pub(crate) const PACKET: [u32; 2] = [4, 2];
 /// Tiles are squares of this many pixels.
 pub(crate) const TILE: u32 = 16;
+/// Packets in a whole tile.
+pub(crate) const PACKETS: usize = (TILE * TILE / 8) as usize;
 
-/// No surface.
-pub(crate) const NOTHING: u16 = u16::MAX;
-
-/// Eight rays, and the nearest certain root of each so far.
+/// Eight rays, and what is known about them so far.
+#[derive(Default)]
 pub(crate) struct PacketRays {
     pub lines: Lines,
-    /// The parameter from which t counts.
-    pub entry: [f64; 8],
     /// The last t of interest: the exit from the scene's box, or the nearest certain hit; negative without a ray.
     pub limit: [f64; 8],
-    /// The nearest certain root.
-    pub lo: [f64; 8],
-    pub hi: [f64; 8],
-    /// The surface that it is on.
-    pub surface: [u16; 8],
-    /// Rays whose nearest root overlaps one of another surface.
-    pub tied: u8,
-    /// Rays with an entry in the tile's `events`.
-    pub special: u8,
-    /// Unit normals towards the viewer, of the rays that show a surface; zero where the gradient is.
-    pub normal: [[f32; 8]; 3],
+    /// What is shown is the nearest certain root, and special is who has an entry in the tile's `events`.
+    pub record: Record,
 }
 
 /// An event that is not a plain root.
@@ -43,10 +33,13 @@ pub(crate) struct Event {
     pub verdict: Verdict,
 }
 
-/// The rays of a tile and what is known about them.
+/// The rays of a tile and what is known about them. A thread uses one for all its tiles.
+#[derive(Default)]
 pub(crate) struct Tile {
     /// Width and height in pixels.
     pub size: [u32; 2],
+    /// The box into which the rays are clipped.
+    pub domain: [[f64; 3]; 2],
     pub packets: Vec<PacketRays>,
     pub events: Vec<Event>,
     pub counts: Evaluations,
@@ -67,74 +60,69 @@ impl Tile {
     }
 }
 
-/// The camera's rays for a tile, with their entries into the scene's box.
+/// Fills a tile of known size and domain with the camera's rays and their entries into the domain.
 pub(crate) struct Rays<'a> {
     pub camera: &'a Camera,
     pub picture: [u32; 2],
     pub sampling: Sampling,
-    pub domain: &'a [[f64; 3]; 2],
+    /// The tile's upper left pixel.
     pub corner: [u32; 2],
-    pub size: [u32; 2],
+    pub tile: &'a mut Tile,
 }
 
 impl Kernel for Rays<'_> {
-    type Output = Tile;
+    type Output = ();
 
     #[inline(always)]
-    fn run<P: Packet>(self, p: P) -> Tile {
-        let rows = self.size[1].div_ceil(PACKET[1]);
-        let columns = Tile::stride(self.size);
-        let mut packets = Vec::with_capacity((rows * columns) as usize);
-        for row in 0..rows {
-            for column in 0..columns {
-                let corner = [
-                    self.corner[0] + column * PACKET[0],
-                    self.corner[1] + row * PACKET[1],
-                ];
-                packets.push(self.packet(p, corner));
-            }
-        }
-        Tile {
-            size: self.size,
-            packets,
-            events: Vec::new(),
-            counts: Evaluations::default(),
+    fn run<P: Packet>(self, p: P) {
+        let Rays { corner, tile, .. } = self;
+        let [width, height] = tile.size;
+        let (columns, rows) = (width.div_ceil(PACKET[0]), height.div_ceil(PACKET[1]));
+        tile.counts = Evaluations::default();
+        // In place: nothing is moved, and what is not shown needs no clearing.
+        tile.packets
+            .resize_with((columns * rows) as usize, PacketRays::default);
+        for (number, rays) in (0..).zip(&mut tile.packets) {
+            let [x, y] = [number % columns * PACKET[0], number / columns * PACKET[1]];
+            self.camera.rays(
+                p,
+                [corner[0] + x, corner[1] + y],
+                self.picture,
+                self.sampling,
+                &mut rays.lines,
+            );
+            let inside = within(width - x, height - y);
+            rays.enter(p, inside, &tile.domain);
         }
     }
 }
 
-impl Rays<'_> {
+/// The lanes of a packet inside a tile that ends so many pixels to the right and below.
+fn within(columns: u32, rows: u32) -> u8 {
+    let row = if columns >= PACKET[0] {
+        0xf
+    } else {
+        (1 << columns) - 1
+    };
+    if rows >= PACKET[1] {
+        row | row << 4
+    } else {
+        row
+    }
+}
+
+impl PacketRays {
+    /// Starts the rays of `inside` where they enter a box.
     #[inline(always)]
-    fn packet<P: Packet>(&self, p: P, corner: [u32; 2]) -> PacketRays {
-        let mut lines = Lines {
-            origin: [[0.0; 8]; 3],
-            direction: [[0.0; 8]; 3],
-        };
-        let mut inside = 0u8;
-        for lane in 0..8u32 {
-            let x = corner[0] + lane % PACKET[0];
-            let y = corner[1] + lane / PACKET[0];
-            let ray = self
-                .camera
-                .ray(x, y, self.picture[0], self.picture[1], self.sampling);
-            lines.set(lane as usize, &ray);
-            let within = x < self.corner[0] + self.size[0] && y < self.corner[1] + self.size[1];
-            inside |= u8::from(within) << lane;
-        }
-        let span = clip(p, &lines, self.domain);
+    fn enter<P: Packet>(&mut self, p: P, inside: u8, domain: &[[f64; 3]; 2]) {
+        let span = clip(p, &self.lines, domain);
         let met = p.and(p.le(span.near, span.far), p.mask(inside));
         let length = p.sub_ru(span.far, span.near);
-        let zero = p.splat(0.0);
-        PacketRays {
-            lines,
-            entry: p.to_array(p.select(met, span.near, zero)),
-            limit: p.to_array(p.select(met, length, p.splat(-1.0))),
-            lo: [f64::INFINITY; 8],
-            hi: [f64::INFINITY; 8],
-            surface: [NOTHING; 8],
-            tied: 0,
-            special: 0,
-            normal: [[0.0; 8]; 3],
-        }
+        self.limit = p.to_array(p.select(met, length, p.splat(-1.0)));
+        let record = &mut self.record;
+        record.entry = p.to_array(p.select(met, span.near, p.splat(0.0)));
+        record.lo = [f64::INFINITY; 8];
+        record.hi = [f64::INFINITY; 8];
+        (record.shown, record.tied, record.special) = (0, 0, 0);
     }
 }

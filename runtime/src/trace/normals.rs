@@ -51,9 +51,9 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
             ..
         } = self;
         for packet in &mut tile.packets {
-            let mut shown = 0u8;
-            for lane in 0..8 {
-                shown |= u8::from(packet.surface[lane] == index) << lane;
+            let mut shown = packet.record.shown;
+            for (lane, surface) in packet.record.surface.iter().enumerate() {
+                shown &= !(u8::from(*surface != index) << lane);
             }
             if shown == 0 {
                 continue;
@@ -75,10 +75,10 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
 fn points<P: Packet>(p: P, packet: &PacketRays) -> [P::F; 3] {
     let half = p.splat(0.5);
     let t = p.add_rn(
-        p.mul_rn(p.lanes(packet.lo), half),
-        p.mul_rn(p.lanes(packet.hi), half),
+        p.mul_rn(p.lanes(packet.record.lo), half),
+        p.mul_rn(p.lanes(packet.record.hi), half),
     );
-    let entry = p.lanes(packet.entry);
+    let entry = p.lanes(packet.record.entry);
     let mut point = [t; 3];
     for (axis, x) in point.iter_mut().enumerate() {
         let d = p.lanes(packet.lines.direction[axis]);
@@ -106,10 +106,9 @@ fn store<P: Packet>(p: P, packet: &mut PacketRays, g: [P::F; 3], shown: u8) {
     let scale = p.select(p.lt(zero, towards), p.neg_f(scale), scale);
     for (axis, &component) in g.iter().enumerate() {
         let n = p.to_array(p.select(fine, p.mul_rn(component, scale), zero));
-        for (lane, &component) in n.iter().enumerate() {
-            if shown >> lane & 1 != 0 {
-                packet.normal[axis][lane] = component as f32;
-            }
+        for (lane, kept) in packet.record.normal[axis].iter_mut().enumerate() {
+            let own = shown >> lane & 1 != 0;
+            *kept = if own { n[lane] as f32 } else { *kept };
         }
     }
 }

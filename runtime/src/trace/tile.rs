@@ -56,13 +56,14 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
         let active = S::everything(prepared);
         let mut bound = S::unbound(p);
         let mut events = Events::default();
+        let own = (*domain != tile.domain).then_some(domain);
         for (number, packet) in tile.packets.iter_mut().enumerate() {
-            let (over, live) = segment(p, packet, domain);
+            let (over, live) = segment(p, packet, own);
             if !p.any(live) {
                 continue;
             }
             let end = p.select(live, over.hi, p.splat(-1.0));
-            let rays = Rays::recentred(p, &packet.lines, p.lanes(packet.entry), end);
+            let rays = Rays::recentred(p, &packet.lines, p.lanes(packet.record.entry), end);
             p.call(Bind::<S, P> {
                 prepared,
                 rays: &rays,
@@ -79,7 +80,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
                 field: &mut field,
                 settings,
                 lines: &packet.lines,
-                entry: p.lanes(packet.entry),
+                entry: p.lanes(packet.record.entry),
                 over: &over,
                 live,
                 first_only: true,
@@ -95,17 +96,24 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
     }
 }
 
-/// The part of each ray inside the surface's box that is still of interest.
+/// The part of each ray that is still of interest, inside the surface's own box if that is not the scene's.
 #[inline(always)]
-fn segment<P: Packet>(p: P, packet: &PacketRays, domain: &[[f64; 3]; 2]) -> (Interval<P::F>, P::M) {
+fn segment<P: Packet>(
+    p: P,
+    packet: &PacketRays,
+    own: Option<&[[f64; 3]; 2]>,
+) -> (Interval<P::F>, P::M) {
     let zero = p.splat(0.0);
-    let entry = p.lanes(packet.entry);
     let limit = p.lanes(packet.limit);
-    let span = clip(p, &packet.lines, domain);
-    let start = p.max_f(p.sub_rd(span.near, entry), zero);
-    let end = p.min_f(p.sub_ru(span.far, entry), limit);
-    let met = p.and(p.le(zero, limit), p.le(span.near, span.far));
-    let live = p.and(met, p.le(start, end));
+    let mut live = p.le(zero, limit);
+    let (mut start, mut end) = (zero, limit);
+    if let Some(domain) = own {
+        let entry = p.lanes(packet.record.entry);
+        let span = clip(p, &packet.lines, domain);
+        start = p.max_f(p.sub_rd(span.near, entry), zero);
+        end = p.min_f(p.sub_ru(span.far, entry), limit);
+        live = p.and(live, p.and(p.le(span.near, span.far), p.le(start, end)));
+    }
     (
         Interval {
             lo: p.select(live, start, zero),
@@ -119,19 +127,21 @@ fn segment<P: Packet>(p: P, packet: &PacketRays, domain: &[[f64; 3]; 2]) -> (Int
 /// ends; where they overlap their order is open, and the one that begins first is shown.
 #[inline(always)]
 fn keep<P: Packet>(p: P, packet: &mut PacketRays, hit: P::M, t: &Interval<P::F>, index: u16) {
-    let (old_lo, old_hi) = (p.lanes(packet.lo), p.lanes(packet.hi));
+    let record = &mut packet.record;
+    let (old_lo, old_hi) = (p.lanes(record.lo), p.lanes(record.hi));
     let nearer = p.and(hit, p.lt(t.lo, old_lo));
     let apart = p.or(p.lt(t.hi, old_lo), p.lt(old_hi, t.lo));
     let tied = p.bits(p.and_not(hit, apart));
     let nearer_bits = p.bits(nearer);
-    packet.tied = (packet.tied & !p.bits(p.and(hit, apart))) | tied;
-    packet.lo = p.to_array(p.select(nearer, t.lo, old_lo));
-    packet.hi = p.to_array(p.select(nearer, t.hi, old_hi));
+    record.tied = (record.tied & !p.bits(p.and(hit, apart))) | tied;
+    record.shown |= nearer_bits;
+    record.lo = p.to_array(p.select(nearer, t.lo, old_lo));
+    record.hi = p.to_array(p.select(nearer, t.hi, old_hi));
     let limit = p.lanes(packet.limit);
     packet.limit = p.to_array(p.select(hit, p.min_f(limit, t.hi), limit));
-    for lane in 0..8 {
+    for (lane, surface) in record.surface.iter_mut().enumerate() {
         if nearer_bits >> lane & 1 != 0 {
-            packet.surface[lane] = index;
+            *surface = index;
         }
     }
 }
@@ -150,7 +160,7 @@ fn collect(
         if events.touched >> lane & 1 == 0 {
             continue;
         }
-        packet.special |= 1 << lane;
+        packet.record.special |= 1 << lane;
         for &verdict in &events.of[i] {
             all.push(Event {
                 packet: number,
