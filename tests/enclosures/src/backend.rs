@@ -75,6 +75,15 @@ impl Backend {
         }
     }
 
+    /// Newton's division.
+    pub fn divide(self, num: Interval, den: Interval) -> Quotient {
+        let division = Division { num, den };
+        match self {
+            Backend::Packet(isa) => isa.run(division),
+            Backend::Scalar => division.run(Scalar),
+        }
+    }
+
     /// The operation on one pair.
     pub fn one(self, operation: Operation, a: Interval, b: Interval) -> Outcome {
         self.run(operation, &[Operands { a, b }])[0]
@@ -114,6 +123,44 @@ impl Kernel for Batch<'_> {
             }
         }
         out
+    }
+}
+
+/// What Newton's division of `num` by `den` returned: the pieces, whether both count, and whether there is none.
+#[derive(Clone, Copy, Debug)]
+pub struct Quotient {
+    /// The only piece, or the lower one.
+    pub first: Interval,
+    /// The upper piece, if `two`.
+    pub second: Interval,
+    /// Are there two pieces?
+    pub two: bool,
+    /// Is there no quotient?
+    pub empty: bool,
+}
+
+struct Division {
+    num: Interval,
+    den: Interval,
+}
+
+impl Kernel for Division {
+    type Output = Quotient;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Quotient {
+        let (num, den) = (load(p, [self.num; 8]), load(p, [self.den; 8]));
+        let (first, second, two, empty) = p.div_ext(num, den);
+        let piece = |a: Interval<P::F>| Interval {
+            lo: p.to_array(a.lo)[0],
+            hi: p.to_array(a.hi)[0],
+        };
+        Quotient {
+            first: piece(first),
+            second: piece(second),
+            two: p.any(two),
+            empty: p.any(empty),
+        }
     }
 }
 

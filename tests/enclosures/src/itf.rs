@@ -1,9 +1,16 @@
-//! The test vectors of ITF1788: `name operand … = result …;`, one case per line.
+//! The test vectors of ITF1788: `name operand … = result …;`, in `testcase … { }`, with comments as in C.
+
+use std::fmt;
 
 use zeroset::interval::Interval;
 
-/// A set of numbers in a test vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
+pub mod exception;
+pub mod plan;
+mod scan;
+pub mod tally;
+
+/// A value in a test vector. Decorations are dropped.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Set {
     /// No number.
     Empty,
@@ -11,11 +18,17 @@ pub enum Set {
     Some(Interval),
     /// A plain number, as the exponent of `pown`.
     Number(f64),
+    /// "Not an interval".
+    Nai,
+    /// Anything else that the format allows: `true`, a text, a list.
+    Other(String),
 }
 
 /// One case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
+    /// Where it stands.
+    pub place: Place,
     /// The operation as the standard names it.
     pub name: String,
     /// The operands.
@@ -24,52 +37,136 @@ pub struct Case {
     pub results: Vec<Set>,
 }
 
-/// All cases of a file. Decorations are dropped; cases with NaI have no interval and are left out.
-pub fn parse(text: &str) -> Vec<Case> {
-    text.lines().filter_map(case).collect()
+/// A line of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file's name.
+    pub file: String,
+    /// The line, from 1 on.
+    pub line: usize,
 }
 
-fn case(line: &str) -> Option<Case> {
-    let (left, right) = line.trim().strip_suffix(';')?.split_once('=')?;
-    let (name, operands) = left.trim().split_once(' ')?;
-    Some(Case {
-        name: name.to_owned(),
-        operands: sets(operands)?,
-        results: sets(right)?,
-    })
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.file, self.line)
+    }
 }
 
-fn sets(text: &str) -> Option<Vec<Set>> {
+/// Why a file cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ItfError {
+    /// Where.
+    pub place: Place,
+    /// What is wrong there.
+    pub what: String,
+}
+
+impl fmt::Display for ItfError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.what)
+    }
+}
+
+impl std::error::Error for ItfError {}
+
+/// All cases of a file; `file` is its name for messages.
+///
+/// # Errors
+/// If a statement is none, or a number cannot be read. Nothing is left out in silence.
+pub fn parse(file: &str, text: &str) -> Result<Vec<Case>, ItfError> {
+    let at = |line, what| ItfError {
+        place: Place {
+            file: file.to_owned(),
+            line,
+        },
+        what,
+    };
+    let mut cases = Vec::new();
+    for (line, statement) in scan::statements(text).map_err(|(line, what)| at(line, what))? {
+        let (name, operands, results) = case(&statement).map_err(|what| at(line, what))?;
+        cases.push(Case {
+            place: at(line, String::new()).place,
+            name,
+            operands,
+            results,
+        });
+    }
+    Ok(cases)
+}
+
+/// `name operand … = result …`, perhaps followed by `<= wider result …` or `signal …`.
+fn case(statement: &str) -> Result<(String, Vec<Set>, Vec<Set>), String> {
+    let (left, right) =
+        scan::split_outside(statement, '=').ok_or_else(|| format!("`{statement}` has no `=`"))?;
+    let right = right.split("<=").next().unwrap_or_default();
+    let right = right.split(" signal ").next().unwrap_or_default();
+    let left = left.trim();
+    let (name, operands) = left
+        .split_once(char::is_whitespace)
+        .ok_or_else(|| format!("`{left}` has no operand"))?;
+    let results = sets(right)?;
+    if results.is_empty() {
+        return Err(format!("`{statement}` has no result"));
+    }
+    Ok((name.to_owned(), sets(operands)?, results))
+}
+
+fn sets(text: &str) -> Result<Vec<Set>, String> {
     let mut sets = Vec::new();
     let mut rest = text.trim();
-    while !rest.is_empty() {
-        if let Some(inner) = rest.strip_prefix('[') {
-            let (set, after) = inner.split_once(']')?;
-            sets.push(set_of(set)?);
-            // A decoration: _com, _dac, _def, _trv.
-            let after = after
-                .strip_prefix('_')
-                .map_or(after, |d| d.trim_start_matches(char::is_alphabetic));
-            rest = after.trim_start();
-        } else {
-            let (word, after) = rest.split_once(' ').unwrap_or((rest, ""));
-            sets.push(Set::Number(number(word)?));
-            rest = after.trim_start();
-        }
+    while let Some(first) = rest.chars().next() {
+        let (set, after) = match first {
+            '[' => {
+                let (inner, after) = rest[1..]
+                    .split_once(']')
+                    .ok_or_else(|| format!("`{rest}` lacks a `]`"))?;
+                // A decoration: _com, _dac, _def, _trv, _ill.
+                let after = after
+                    .strip_prefix('_')
+                    .map_or(after, |d| d.trim_start_matches(char::is_alphabetic));
+                (set_of(inner)?, after)
+            }
+            '"' | '{' => {
+                let close = if first == '"' { '"' } else { '}' };
+                let (inner, after) = rest[1..]
+                    .split_once(close)
+                    .ok_or_else(|| format!("`{rest}` lacks a `{close}`"))?;
+                (Set::Other(inner.to_owned()), after)
+            }
+            _ => {
+                let (word, after) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+                (word_of(word)?, after)
+            }
+        };
+        sets.push(set);
+        rest = after.trim_start();
     }
-    Some(sets)
+    Ok(sets)
 }
 
-fn set_of(text: &str) -> Option<Set> {
-    match text.trim() {
-        "empty" => Some(Set::Empty),
-        "entire" => Some(Set::Some(Interval::ENTIRE)),
-        other => {
-            let (lo, hi) = other.split_once(',')?;
-            Interval::try_new(number(lo)?, number(hi)?)
-                .ok()
-                .map(Set::Some)
+/// What stands between brackets.
+fn set_of(text: &str) -> Result<Set, String> {
+    match text.trim().to_ascii_lowercase().as_str() {
+        "empty" => return Ok(Set::Empty),
+        "nai" => return Ok(Set::Nai),
+        "entire" => return Ok(Set::Some(Interval::ENTIRE)),
+        _ => {}
+    }
+    let (lo, hi) = text.split_once(',').unwrap_or((text, text));
+    let bound = |x| number(x).ok_or_else(|| format!("[{text}]: `{x}` is not a number"));
+    Interval::try_new(bound(lo)?, bound(hi)?)
+        .map(Set::Some)
+        .map_err(|error| format!("[{text}]: {error}"))
+}
+
+/// A number, or a word such as `true`; what begins like a number must be one.
+fn word_of(word: &str) -> Result<Set, String> {
+    match number(word) {
+        Some(x) => Ok(Set::Number(x)),
+        None if word.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => {
+            Err(format!("`{word}` is not a number"))
         }
+        None => Ok(Set::Other(word.to_owned())),
     }
 }
 
@@ -83,48 +180,34 @@ fn number(text: &str) -> Option<f64> {
     let lower = size.to_ascii_lowercase();
     let value = match lower.strip_prefix("0x") {
         Some(hex) => hexadecimal(hex)?,
-        None if lower == "infinity" => f64::INFINITY,
-        None => lower.parse().ok()?,
+        None if lower == "infinity" || lower == "inf" => f64::INFINITY,
+        None if lower.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
+            lower.parse().ok()?
+        }
+        None => return None,
     };
     Some(if negative { -value } else { value })
 }
 
-/// `h.hhhp±d` with at most 53 significant bits, so the value is exact.
+/// `h.hhhp±d`; `None` for more digits than 64 bits hold, and for a value that is no double.
 fn hexadecimal(text: &str) -> Option<f64> {
     let (digits, exponent) = text.split_once('p').unwrap_or((text, "0"));
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
     let mantissa = u64::from_str_radix(&format!("{whole}{fraction}"), 16).ok()?;
-    let exponent = exponent.parse::<i32>().ok()? - 4 * fraction.len() as i32;
+    let places = i32::try_from(fraction.len()).ok()?;
+    let exponent = exponent.parse::<i32>().ok()?.checked_sub(4 * places)?;
+    if mantissa == 0 {
+        return Some(0.0);
+    }
+    // Without zeros at its end the whole number is at most 53 bits long, if this is a double.
+    let zeros = mantissa.trailing_zeros();
+    let (mantissa, exponent) = (mantissa >> zeros, exponent.checked_add(zeros as i32)?);
+    let bits = 64 - mantissa.leading_zeros() as i32;
+    let exact = bits <= 53 && (-1074..=1024 - bits).contains(&exponent);
     // Two steps: the power alone may be no double while the product is one.
     let half = exponent / 2;
-    Some(mantissa as f64 * 2f64.powi(half) * 2f64.powi(exponent - half))
+    exact.then(|| mantissa as f64 * 2f64.powi(half) * 2f64.powi(exponent - half))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cases_are_read() {
-        let text = "testcase x {\n  add [1.0,2.0]_com [-infinity,-0X1.8P+1] = [-infinity,-1.0]_dac;\n  pown [13.1, 13.1] 2 = [empty];\n  neg [nai] = [nai];\n}";
-        let cases = parse(text);
-        assert_eq!(cases.len(), 2);
-        assert_eq!(
-            cases[0].operands[1],
-            Set::Some(Interval {
-                lo: f64::NEG_INFINITY,
-                hi: -3.0
-            })
-        );
-        assert_eq!(cases[1].operands[1], Set::Number(2.0));
-        assert_eq!(cases[1].results, [Set::Empty]);
-    }
-
-    #[test]
-    fn hexadecimal_numbers_are_exact() {
-        assert_eq!(number("0X0.0000000000001P-1022"), Some(f64::from_bits(1)));
-        assert_eq!(number("-0x1.FFFFFFFFFFFFFp1023"), Some(-f64::MAX));
-        assert_eq!(number("0x1p-1074"), Some(f64::from_bits(1)));
-        assert_eq!(number("0x1.8p-1022"), Some(1.5 * f64::MIN_POSITIVE));
-    }
-}
+mod tests;

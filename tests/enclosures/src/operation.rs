@@ -17,17 +17,27 @@ macro_rules! operations {
             $($total,)* $($partial,)* $($binary,)* $($partial_binary,)*
             /// A whole power.
             Powi(u32),
+            /// A whole power that may be negative, as the compiler writes it.
+            Pown(i32),
+            /// The hull of two intervals.
+            Hull,
+            /// What two intervals have in common; empty where that is nothing.
+            Intersect,
         }
 
         impl Operation {
             /// The operation of this name, that of the method.
             pub fn named(name: &str) -> Option<Operation> {
-                $(if name == stringify!($t) { return Some(Operation::$total); })*
-                $(if name == stringify!($p) { return Some(Operation::$partial); })*
-                $(if name == stringify!($b) { return Some(Operation::$binary); })*
-                $(if name == stringify!($pb) { return Some(Operation::$partial_binary); })*
-                None
+                Self::ALL.iter().find(|entry| entry.0 == name).map(|entry| entry.1)
             }
+
+            /// All that take one or two intervals and have a method of [`Arithmetic`](zeroset::interval::Arithmetic).
+            pub const ALL: &[(&str, Operation)] = &[
+                $((stringify!($t), Operation::$total),)*
+                $((stringify!($p), Operation::$partial),)*
+                $((stringify!($b), Operation::$binary),)*
+                $((stringify!($pb), Operation::$partial_binary),)*
+            ];
         }
 
         /// The operation on packets, with its flags.
@@ -44,6 +54,21 @@ macro_rules! operations {
                 $(Operation::$binary => (p.$b(a, b), p.clear()),)*
                 $(Operation::$partial_binary => p.$pb(a, b),)*
                 Operation::Powi(n) => (p.powi(a, n), p.clear()),
+                Operation::Pown(n) => {
+                    let power = p.powi(a, n.unsigned_abs());
+                    if n < 0 {
+                        // The power is 0 just where a is, unless it underflows.
+                        let (range, _) = p.recip(power);
+                        (range, p.recip(a).1)
+                    } else {
+                        (power, p.clear())
+                    }
+                }
+                Operation::Hull => (p.hull(a, b), p.clear()),
+                Operation::Intersect => {
+                    let (range, empty) = p.intersect(a, b);
+                    (range, Flags { empty, ..p.clear() })
+                }
             }
         }
     };
@@ -51,7 +76,7 @@ macro_rules! operations {
 
 operations! {
     total {
-        Neg = neg; Sqr = sqr; Abs = abs; Cbrt = cbrt; Exp = exp; Exp2 = exp2; ExpM1 = exp_m1; Sin = sin; Cos = cos;
+        Neg = neg; Nonneg = nonneg; Sqr = sqr; Abs = abs; Cbrt = cbrt; Exp = exp; Exp2 = exp2; ExpM1 = exp_m1; Sin = sin; Cos = cos;
         Atan = atan; Sinh = sinh; Cosh = cosh; Tanh = tanh; Asinh = asinh;
     }
     partial {

@@ -26,7 +26,7 @@ pub fn powi<P: Enclose>(p: P, a: Interval<P::F>, n: u32) -> Interval<P::F> {
             let hi = of_nonneg(p, p.abs_f(a.hi), n);
             Interval {
                 lo: p.select(p.lt(a.lo, zero), p.neg_f(lo.hi), lo.lo),
-                hi: p.select(p.lt(a.hi, zero), p.neg_f(hi.lo), hi.hi),
+                hi: p.select(p.le(a.hi, zero), p.neg_f(hi.lo), hi.hi),
             }
         }
     }
