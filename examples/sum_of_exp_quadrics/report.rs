@@ -74,13 +74,15 @@ pub fn statistics(out: &mut impl Write, s: &Statistics) -> Result<()> {
         "in packets",
         per_ray(packets)
     )?;
-    let unseen = s.rays - e.gradient;
-    writeln!(
-        out,
-        "{:<12}{unseen:>12}{:>10.3}   normals of rays that show nothing",
-        "skipped",
-        per_ray(unseen)
-    )?;
+    writeln!(out, "\n{:<12}{:>12}{:>10}", "skipped", "all", "per ray")?;
+    for (name, count) in [
+        ("outside", s.outside),
+        ("closed form", e.closed),
+        ("normals", s.rays - e.gradient),
+    ] {
+        let each = per_ray(count);
+        writeln!(out, "{name:<12}{count:>12}{each:>10.3}")?;
+    }
     phases(out, s)
 }
 

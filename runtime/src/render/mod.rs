@@ -201,6 +201,7 @@ impl<'a> Job<'a> {
             TILE.min(options.height - corner[1]),
         ];
         let Some(domain) = self.domain else {
+            tile.outside = u64::from(tile.size[0] * tile.size[1]);
             shard.keep(number, tile, Vec::new(), &Phases::default());
             return;
         };

@@ -75,6 +75,7 @@ impl Shard {
         }
         self.tiles.push((number, place));
         self.statistics.rays += u64::from(tile.size[0] * tile.size[1]);
+        self.statistics.outside += tile.outside;
         self.statistics.evaluations.add(&tile.counts);
         self.statistics.phases.add(phases);
     }

@@ -40,6 +40,8 @@ pub struct Statistics {
     pub unresolved: u64,
     /// Rays on which the nearest roots of two surfaces overlap.
     pub tied: u64,
+    /// Rays that do not meet the scene's box: no stage runs for them.
+    pub outside: u64,
     /// Evaluations of all surfaces.
     pub evaluations: Evaluations,
     /// Time by phase, summed over threads.
@@ -70,6 +72,7 @@ impl Statistics {
         self.unresolved += shard.unresolved;
         self.miss += shard.rays - shard.root - shard.tangent - shard.crossing - shard.unresolved;
         self.tied += shard.tied;
+        self.outside += shard.outside;
         self.evaluations.add(&shard.evaluations);
         self.phases.add(&shard.phases);
     }
@@ -101,7 +104,7 @@ impl std::fmt::Display for Statistics {
         writeln!(
             f,
             "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, fine {:.4}, gradient {:.2}; \
-             per packet {:.2}",
+             per packet {:.2}; skipped: outside the box {:.2}, closed form {:.2}",
             per_ray(e.value),
             per_ray(e.slope),
             per_ray(e.curvature),
@@ -109,7 +112,9 @@ impl std::fmt::Display for Statistics {
             per_ray(e.float),
             per_ray(e.fine),
             per_ray(e.gradient),
-            8.0 * per_ray(e.packets)
+            8.0 * per_ray(e.packets),
+            per_ray(self.outside),
+            per_ray(e.closed)
         )?;
         write!(
             f,

@@ -43,6 +43,8 @@ pub(crate) struct Tile {
     pub packets: Vec<PacketRays>,
     pub events: Vec<Event>,
     pub counts: Evaluations,
+    /// Rays that do not meet the domain.
+    pub outside: u64,
 }
 
 impl Tile {
@@ -79,6 +81,7 @@ impl Kernel for Rays<'_> {
         let [width, height] = tile.size;
         let (columns, rows) = (width.div_ceil(PACKET[0]), height.div_ceil(PACKET[1]));
         tile.counts = Evaluations::default();
+        tile.outside = 0;
         // In place: nothing is moved, and what is not shown needs no clearing.
         tile.packets
             .resize_with((columns * rows) as usize, PacketRays::default);
@@ -92,7 +95,8 @@ impl Kernel for Rays<'_> {
                 &mut rays.lines,
             );
             let inside = within(width - x, height - y);
-            rays.enter(p, inside, &tile.domain);
+            let met = rays.enter(p, inside, &tile.domain);
+            tile.outside += u64::from((inside & !met).count_ones());
         }
     }
 }
@@ -112,9 +116,9 @@ fn within(columns: u32, rows: u32) -> u8 {
 }
 
 impl PacketRays {
-    /// Starts the rays of `inside` where they enter a box.
+    /// Starts the rays of `inside` where they enter a box; the answer is which of them do.
     #[inline(always)]
-    fn enter<P: Packet>(&mut self, p: P, inside: u8, domain: &[[f64; 3]; 2]) {
+    fn enter<P: Packet>(&mut self, p: P, inside: u8, domain: &[[f64; 3]; 2]) -> u8 {
         let span = clip(p, &self.lines, domain);
         let met = p.and(p.le(span.near, span.far), p.mask(inside));
         let length = p.sub_ru(span.far, span.near);
@@ -124,5 +128,6 @@ impl PacketRays {
         record.lo = [f64::INFINITY; 8];
         record.hi = [f64::INFINITY; 8];
         (record.shown, record.tied, record.special) = (0, 0, 0);
+        p.bits(met)
     }
 }

@@ -32,12 +32,14 @@ pub struct Evaluations {
     pub fine: u64,
     /// Gradients in space, in plain floats.
     pub gradient: u64,
+    /// Rays decided by the discriminant of a quadric, without a search.
+    pub closed: u64,
     /// Evaluations of all kinds, each counted once per packet of eight.
     pub packets: u64,
 }
 
 impl Evaluations {
-    /// All kinds together, per ray.
+    /// All kinds of evaluations together; closed forms are none.
     pub fn total(&self) -> u64 {
         self.value
             + self.slope
@@ -56,6 +58,7 @@ impl Evaluations {
         self.float += other.float;
         self.fine += other.fine;
         self.gradient += other.gradient;
+        self.closed += other.closed;
         self.packets += other.packets;
     }
 }

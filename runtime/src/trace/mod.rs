@@ -127,7 +127,9 @@ impl<S: Surface, C: Contractor, P: Packet> FirstRoots<'_, '_, S, C, P> {
                 t: first.root,
                 resume: first.resume,
             };
-            live = p.and_not(live, first.decided);
+            let decided = p.and(live, first.decided);
+            field.counts.closed += u64::from(p.bits(decided).count_ones());
+            live = p.and_not(live, decided);
             if !p.any(live) {
                 return roots;
             }

@@ -117,9 +117,37 @@ fn threads_and_instruction_sets_agree() {
 }
 
 #[test]
+fn what_is_skipped_is_counted() {
+    let mut options = Options::new(41, 37);
+    let scene = Scene::new().with(ball(1.0)).within([-2.0; 3], [2.0; 3]);
+    let wide =
+        Camera::perspective(DVec3::new(0.0, 0.0, 4.0), DVec3::ZERO, DVec3::Y, 120.0).unwrap();
+    let with = render(&scene, &wide, &options).unwrap();
+    let s = with.statistics();
+    assert_eq!(s.rays, 41 * 37);
+    assert_eq!(
+        s.rays,
+        s.miss + s.root + s.tangent + s.crossing + s.unresolved
+    );
+    assert!(s.outside > 100 && s.root > 10, "{s}");
+    let e = s.evaluations;
+    assert_eq!(
+        (s.rays - s.outside, e.gradient, e.total()),
+        (e.closed, s.root, s.root)
+    );
+    options.settings.closed_forms = false;
+    options.normals = false;
+    let without = render(&scene, &wide, &options).unwrap();
+    let e = without.statistics().evaluations;
+    assert_eq!((e.closed, e.gradient), (0, 0));
+    assert!(e.value > 100, "{e:?}");
+}
+
+#[test]
 fn an_empty_scene_is_all_background() {
     let picture = render(&Scene::new(), &camera(), &Options::new(5, 3)).unwrap();
-    assert_eq!(picture.statistics().miss, 15);
+    let s = picture.statistics();
+    assert_eq!((s.miss, s.outside), (15, 15));
     let image = picture.image(&Shading::default());
     assert_eq!(image.dimensions(), (5, 3));
     assert!(image.pixels().all(|p| p == image.get_pixel(0, 0)));
