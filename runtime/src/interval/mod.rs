@@ -5,6 +5,8 @@ mod arithmetic;
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+#[cfg(feature = "unrounded")]
+mod control;
 mod enclose;
 mod fine;
 mod flags;
@@ -26,6 +28,9 @@ pub use arithmetic::Arithmetic;
 pub use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Avx512;
+#[cfg(feature = "unrounded")]
+#[doc(hidden)]
+pub use control::Control;
 pub use fine::{Ball, Fine};
 pub use flags::{Flags, Jet, Truth, Undecided};
 pub use functions::UNPROVED;
@@ -36,7 +41,7 @@ pub use nearest::Nearest;
 pub use number::IntervalError;
 pub use packet::Packet;
 pub use portable::Portable;
-pub use rounding::{Directed, Rounding, ToNearest};
+pub use rounding::{Directed, Mode, Rounding, ToNearest, TooTight, Unguarded};
 pub use scalar::Scalar;
 
 mod sealed {

@@ -1,16 +1,18 @@
 //! Every back-end behind one call.
 
-use zeroset::interval::{Interval, Isa, Kernel, Lanes, Packet, Scalar};
+use zeroset::interval::{Control, Interval, Isa, Kernel, Lanes, Packet, Scalar};
 
 use crate::operation::{Operation, apply};
 
 /// A back-end: an instruction set, or the scalar token.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Backend {
     /// Eight lanes.
     Packet(Isa),
     /// One lane.
     Scalar,
+    /// Eight lanes whose bounds are wrong in one way.
+    Control(Control),
 }
 
 /// The operands of one operation; unary operations ignore `b`.
@@ -50,11 +52,28 @@ impl Backend {
         Isa::unrounded().into_iter().map(Backend::Packet).collect()
     }
 
+    /// Those whose error bounds are a tenth of the proved ones.
+    pub fn too_tight() -> Vec<Backend> {
+        Self::controls("-too-tight")
+    }
+
+    /// Those that take no care of overflow and underflow.
+    pub fn unguarded() -> Vec<Backend> {
+        Self::controls("-unguarded")
+    }
+
+    fn controls(suffix: &str) -> Vec<Backend> {
+        let mut all: Vec<Backend> = Control::all().into_iter().map(Backend::Control).collect();
+        all.retain(|backend| backend.name().ends_with(suffix));
+        all
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Backend::Packet(isa) => isa.name(),
             Backend::Scalar => Scalar::NAME,
+            Backend::Control(control) => control.name(),
         }
     }
 
@@ -72,6 +91,7 @@ impl Backend {
         match self {
             Backend::Packet(isa) => isa.run(batch),
             Backend::Scalar => batch.run(Scalar),
+            Backend::Control(control) => control.run(batch),
         }
     }
 
@@ -81,6 +101,7 @@ impl Backend {
         match self {
             Backend::Packet(isa) => isa.run(division),
             Backend::Scalar => division.run(Scalar),
+            Backend::Control(control) => control.run(division),
         }
     }
 

@@ -149,6 +149,54 @@ fn negative_control_rounding_off_is_caught_in_every_operation() {
     }
 }
 
+/// Instructions of AVX-512 round by themselves: it has no bound in arithmetic that could be too tight.
+#[test]
+fn negative_control_bounds_ten_times_too_tight_are_caught_in_every_operation() {
+    for backend in Backend::too_tight() {
+        for (operation, rounds) in OPERATIONS {
+            let (misses, _) = violations(backend, operation, CASES);
+            println!("{} {operation:?}: {misses} violations", backend.name());
+            let widens = rounds && !backend.name().starts_with("avx512");
+            assert_eq!(misses > 0, widens, "{} {operation:?}", backend.name());
+        }
+    }
+}
+
+/// Products whose bounds are no numbers, and those that are and still miss.
+fn unguarded_products(backend: Backend) -> (usize, usize) {
+    let operands = operands(Operation::Mul, CASES, 0x5eed);
+    let (mut overflows, mut underflows) = (0, 0);
+    for (pair, outcome) in operands.iter().zip(backend.run(Operation::Mul, &operands)) {
+        let r = outcome.range;
+        let (x, y) = (pair.a.mid(), pair.b.mid());
+        if r.lo.is_nan() || r.hi.is_nan() {
+            overflows += 1;
+        } else if holds(Operation::Mul, x, y, r) == Some(false) {
+            underflows += usize::from(r.hi.abs() < 1e-300);
+        }
+    }
+    (overflows, underflows)
+}
+
+/// Operations whose result may overflow, or lose bits in subnormals. (Roots and sums of what is no overflow do not.)
+#[test]
+fn negative_control_missing_guards_are_caught() {
+    for backend in Backend::unguarded() {
+        for (operation, rounds) in OPERATIONS {
+            let (misses, _) = violations(backend, operation, CASES);
+            println!("{} {operation:?}: {misses} violations", backend.name());
+            let safe = !rounds || operation == Operation::Sqrt;
+            assert_eq!(misses > 0, !safe, "{} {operation:?}", backend.name());
+        }
+        let (overflows, underflows) = unguarded_products(backend);
+        println!(
+            "{}: {overflows} of them by overflow, {underflows} by underflow",
+            backend.name()
+        );
+        assert!(overflows > 0 && underflows > 0, "{}", backend.name());
+    }
+}
+
 #[test]
 fn bounds_obey_the_invariants() {
     for backend in Backend::rounded() {

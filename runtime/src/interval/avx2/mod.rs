@@ -66,8 +66,9 @@ impl<R: Rounding> Lanes for Avx2<R> {
     type M = Pair;
     const LANES: usize = 8;
     const FUSED: bool = true;
-    const NAME: &'static str = if R::ON { "avx2" } else { "avx2-unrounded" };
-    const DIRECTED: bool = R::ON;
+    const NAME: &'static str =
+        R::MODE.name(["avx2", "avx2-unrounded", "avx2-too-tight", "avx2-unguarded"]);
+    const DIRECTED: bool = R::HOLDS;
     const OPTIMAL: bool = false;
 
     #[inline(always)]
@@ -246,11 +247,11 @@ impl<R: Rounding> Lanes for Avx2<R> {
     }
     #[inline(always)]
     fn before(self, a: Pair) -> Pair {
-        self.moved(a, -(R::ON as i64))
+        self.moved(a, -(R::STEP as i64))
     }
     #[inline(always)]
     fn after(self, a: Pair) -> Pair {
-        self.moved(a, R::ON as i64)
+        self.moved(a, R::STEP as i64)
     }
 
     #[inline(always)]

@@ -47,15 +47,18 @@ impl<R: Rounding> Avx2<R> {
     ///
     /// For normal x, |x|·φ is more than half the distance to the predecessor, so x − |x|·φ, rounded once, is at most
     /// the predecessor. For subnormal x nothing moves, and nothing need. An overflow of finite operands rounded to +∞,
-    /// of which ∞ − ∞ would make a NaN: the minimum brings it down to MAX first. MAX is the first operand so that a NaN
-    /// stays one.
+    /// of which ∞ − ∞ would make a NaN: the minimum brings it down to MAX first.
     #[inline(always)]
     pub(super) fn down(self, x: Pair) -> Pair {
         if !R::ON {
             return x;
         }
-        let x = both!(_mm256_min_pd(self.splat(f64::MAX), x));
-        both!(_mm256_fnmadd_pd(self.abs_f(x), self.splat(PHI), x))
+        let x = self.not_above(x);
+        both!(_mm256_fnmadd_pd(
+            self.abs_f(x),
+            self.splat(PHI * R::SCALE),
+            x
+        ))
     }
     /// As [`down`](Self::down), above.
     #[inline(always)]
@@ -63,19 +66,25 @@ impl<R: Rounding> Avx2<R> {
         if !R::ON {
             return x;
         }
-        let x = both!(_mm256_max_pd(self.splat(f64::MIN), x));
-        both!(_mm256_fmadd_pd(self.abs_f(x), self.splat(PHI), x))
+        let x = self.not_below(x);
+        both!(_mm256_fmadd_pd(
+            self.abs_f(x),
+            self.splat(PHI * R::SCALE),
+            x
+        ))
     }
-    /// As [`down`](Self::down), also where the rounding was in subnormals (products and quotients): with |x| raised to
-    /// 2⁻¹⁰²¹ the step is never less than 2⁻¹⁰⁷⁴. A bound of 0 therefore moves too.
+    /// As [`down`](Self::down), also where the rounding was in subnormals (products and quotients).
     #[inline(always)]
     pub(super) fn down_guarded(self, x: Pair) -> Pair {
         if !R::ON {
             return x;
         }
-        let x = both!(_mm256_min_pd(self.splat(f64::MAX), x));
-        let size = both!(_mm256_max_pd(self.abs_f(x), self.splat(GUARD)));
-        both!(_mm256_fnmadd_pd(size, self.splat(PHI), x))
+        let x = self.not_above(x);
+        both!(_mm256_fnmadd_pd(
+            self.size(x),
+            self.splat(PHI * R::SCALE),
+            x
+        ))
     }
     /// As [`down_guarded`](Self::down_guarded), above.
     #[inline(always)]
@@ -83,8 +92,36 @@ impl<R: Rounding> Avx2<R> {
         if !R::ON {
             return x;
         }
-        let x = both!(_mm256_max_pd(self.splat(f64::MIN), x));
-        let size = both!(_mm256_max_pd(self.abs_f(x), self.splat(GUARD)));
-        both!(_mm256_fmadd_pd(size, self.splat(PHI), x))
+        let x = self.not_below(x);
+        both!(_mm256_fmadd_pd(self.size(x), self.splat(PHI * R::SCALE), x))
+    }
+
+    /// min(x, MAX). MAX is the first operand so that a NaN stays one.
+    #[inline(always)]
+    fn not_above(self, x: Pair) -> Pair {
+        if R::GUARDED {
+            both!(_mm256_min_pd(self.splat(f64::MAX), x))
+        } else {
+            x
+        }
+    }
+    /// max(x, −MAX), alike.
+    #[inline(always)]
+    fn not_below(self, x: Pair) -> Pair {
+        if R::GUARDED {
+            both!(_mm256_max_pd(self.splat(f64::MIN), x))
+        } else {
+            x
+        }
+    }
+    /// |x| raised to 2⁻¹⁰²¹, so that the step is never less than 2⁻¹⁰⁷⁴. A bound of 0 therefore moves too.
+    #[inline(always)]
+    fn size(self, x: Pair) -> Pair {
+        let size = self.abs_f(x);
+        if R::GUARDED {
+            both!(_mm256_max_pd(size, self.splat(GUARD)))
+        } else {
+            size
+        }
     }
 }

@@ -60,8 +60,13 @@ impl<R: Rounding> Lanes for Avx512<R> {
     type M = __mmask8;
     const LANES: usize = 8;
     const FUSED: bool = true;
-    const NAME: &'static str = if R::ON { "avx512" } else { "avx512-unrounded" };
-    const DIRECTED: bool = R::ON;
+    const NAME: &'static str = R::MODE.name([
+        "avx512",
+        "avx512-unrounded",
+        "avx512-too-tight",
+        "avx512-unguarded",
+    ]);
+    const DIRECTED: bool = R::HOLDS;
     const OPTIMAL: bool = true;
 
     #[inline(always)]
@@ -226,7 +231,7 @@ impl<R: Rounding> Lanes for Avx512<R> {
     }
     #[inline(always)]
     fn before(self, a: __m512d) -> __m512d {
-        let step = R::ON as i64;
+        let step = R::STEP as i64;
         cpu!(_mm512_castsi512_pd(_mm512_sub_epi64(
             _mm512_castpd_si512(a),
             _mm512_set1_epi64(step)
@@ -234,7 +239,7 @@ impl<R: Rounding> Lanes for Avx512<R> {
     }
     #[inline(always)]
     fn after(self, a: __m512d) -> __m512d {
-        let step = R::ON as i64;
+        let step = R::STEP as i64;
         cpu!(_mm512_castsi512_pd(_mm512_add_epi64(
             _mm512_castpd_si512(a),
             _mm512_set1_epi64(step)

@@ -44,8 +44,12 @@ fn down_one<R: Rounding>(x: f64) -> f64 {
         return x;
     }
     // An overflow of finite operands rounds to +∞, and ∞ − ∞ would be NaN. A NaN stays one.
-    let x = if x > f64::MAX { f64::MAX } else { x };
-    x - (x.abs() * PHI + ETA)
+    let x = if R::GUARDED && x > f64::MAX {
+        f64::MAX
+    } else {
+        x
+    };
+    x - error::<R>(x)
 }
 
 /// As [`down_one`], above.
@@ -54,8 +58,19 @@ fn up_one<R: Rounding>(x: f64) -> f64 {
     if !R::ON {
         return x;
     }
-    let x = if x < f64::MIN { f64::MIN } else { x };
-    x + (x.abs() * PHI + ETA)
+    let x = if R::GUARDED && x < f64::MIN {
+        f64::MIN
+    } else {
+        x
+    };
+    x + error::<R>(x)
+}
+
+/// |x|·φ + η
+#[inline(always)]
+fn error<R: Rounding>(x: f64) -> f64 {
+    let least = if R::GUARDED { ETA } else { 0.0 };
+    x.abs() * (PHI * R::SCALE) + least
 }
 
 /// 2⁻⁵³(1 + 2⁻⁵⁰): φ with room for the roundings of a sum of three.
@@ -70,8 +85,13 @@ fn product_sum_down<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
     if !R::ON {
         return s;
     }
-    let s = if s > f64::MAX { f64::MAX } else { s };
-    s - ((p.abs() + s.abs() + s.abs()) * PHI_3 + 2.0 * ETA)
+    let s = if R::GUARDED && s > f64::MAX {
+        f64::MAX
+    } else {
+        s
+    };
+    let least = if R::GUARDED { 2.0 * ETA } else { 0.0 };
+    s - ((p.abs() + s.abs() + s.abs()) * (PHI_3 * R::SCALE) + least)
 }
 
 /// Lane by lane: `map!(i => expression of i)`.
@@ -109,12 +129,13 @@ impl<R: Rounding> Lanes for Portable<R> {
     type M = M;
     const LANES: usize = 8;
     const FUSED: bool = false;
-    const NAME: &'static str = if R::ON {
-        "portable"
-    } else {
-        "portable-unrounded"
-    };
-    const DIRECTED: bool = R::ON;
+    const NAME: &'static str = R::MODE.name([
+        "portable",
+        "portable-unrounded",
+        "portable-too-tight",
+        "portable-unguarded",
+    ]);
+    const DIRECTED: bool = R::HOLDS;
     const OPTIMAL: bool = false;
 
     #[inline(always)]
@@ -279,11 +300,11 @@ impl<R: Rounding> Lanes for Portable<R> {
     }
     #[inline(always)]
     fn before(self, a: F) -> F {
-        map!(i => f64::from_bits(a[i].to_bits().wrapping_sub(R::ON as u64)))
+        map!(i => f64::from_bits(a[i].to_bits().wrapping_sub(R::STEP)))
     }
     #[inline(always)]
     fn after(self, a: F) -> F {
-        map!(i => f64::from_bits(a[i].to_bits().wrapping_add(R::ON as u64)))
+        map!(i => f64::from_bits(a[i].to_bits().wrapping_add(R::STEP)))
     }
 
     #[inline(always)]
@@ -359,7 +380,7 @@ fn fma_down<R: Rounding>(a: &F, b: &F, c: &F) -> F {
         all &= held[i];
         i += 1;
     }
-    if R::ON && all == 0 {
+    if R::ON && R::GUARDED && all == 0 {
         let mut i = 0;
         while i < 8 {
             if held[i] == 0 {
