@@ -183,4 +183,22 @@ pub trait Enclose: Lanes {
     fn i_ln(self, a: Interval<Self::F>) -> Interval<Self::F> {
         functions::ln::ln(self, a)
     }
+
+    /// eᵃ − 1
+    #[inline(always)]
+    fn i_exp_m1(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::hyperbolic::exp_m1(self, a)
+    }
+
+    /// sinh a
+    #[inline(always)]
+    fn i_sinh(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::hyperbolic::sinh(self, a)
+    }
+
+    /// tanh a
+    #[inline(always)]
+    fn i_tanh(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::hyperbolic::tanh(self, a)
+    }
 }

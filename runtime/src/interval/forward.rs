@@ -190,7 +190,7 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn exp_m1(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::exp_m1)
+        self.i_exp_m1(a)
     }
     #[inline(always)]
     fn ln(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
@@ -256,7 +256,7 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn sinh(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::sinh)
+        self.i_sinh(a)
     }
     #[inline(always)]
     fn cosh(self, a: Interval<P::F>) -> Interval<P::F> {
@@ -264,7 +264,7 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn tanh(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::tanh)
+        self.i_tanh(a)
     }
     #[inline(always)]
     fn asinh(self, a: Interval<P::F>) -> Interval<P::F> {

@@ -37,14 +37,14 @@ const Q: [u64; 10] = [
 ];
 /// ln 2 to 42 bits, and the rest.
 const L1: u64 = 0x3fe62e42fefa3800;
-const L2: u64 = 0x3d2ef35793c76730;
+pub const L2: u64 = 0x3d2ef35793c76730;
 /// 1/ln 2
 const LOG2E: u64 = 0x3ff71547652b82fe;
 
 /// The least x whose power is surely normal; below it the bounds are 0 and e⁻⁷⁰⁸ ≈ 3.3·10⁻³⁰⁸.
-const LEAST: f64 = -708.0;
+pub const LEAST: f64 = -708.0;
 /// The greatest double below ln(MAX). Its power is 2·10⁻¹⁴ below MAX, so the result never overflows.
-const GREATEST: u64 = 0x40862e42fefa39ef;
+pub const GREATEST: u64 = 0x40862e42fefa39ef;
 
 /// eᵃ
 #[inline(always)]
@@ -73,11 +73,23 @@ pub fn anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
 /// eˣ to within a unit in the last place, for LEAST ≤ x ≤ GREATEST.
 #[inline(always)]
 pub fn near<P: Lanes>(p: P, x: P::F) -> P::F {
+    let (k, r1) = reduce(p, x);
+    let t = tail(p, r1, p.mul_rn(k, p.splat(f64::from_bits(L2))));
+    p.scale(p.add_rn(p.splat(1.0), p.add_rn(r1, t)), k)
+}
+
+/// k = ⌊x/ln 2⌉ and r₁ = x − k·L1, exactly.
+#[inline(always)]
+pub fn reduce<P: Lanes>(p: P, x: P::F) -> (P::F, P::F) {
     // Adding 1.5·2⁵² leaves the nearest whole number in the low bits.
     let shift = p.splat(WHOLE);
     let k = p.sub_rn(p.fma_rn(x, p.splat(f64::from_bits(LOG2E)), shift), shift);
-    let r1 = p.fma_rn(k, p.splat(-f64::from_bits(L1)), x);
-    let t1 = p.mul_rn(k, p.splat(f64::from_bits(L2)));
+    (k, p.fma_rn(k, p.splat(-f64::from_bits(L1)), x))
+}
+
+/// Near e^(r₁ − t₁) − 1 − r₁ for |t₁| ≤ 2⁻³², t₁ being k·L2 (less what x itself was rounded by).
+#[inline(always)]
+pub fn tail<P: Lanes>(p: P, r1: P::F, t1: P::F) -> P::F {
     let r = p.sub_rn(r1, t1);
     let mut q = p.splat(f64::from_bits(Q[9]));
     let mut i = 9;
@@ -85,6 +97,5 @@ pub fn near<P: Lanes>(p: P, x: P::F) -> P::F {
         i -= 1;
         q = p.fma_rn(r, q, p.splat(f64::from_bits(Q[i])));
     }
-    let t = p.fms_rn(p.mul_rn(r, r), q, t1);
-    p.scale(p.add_rn(p.splat(1.0), p.add_rn(r1, t)), k)
+    p.fms_rn(p.mul_rn(r, r), q, t1)
 }

@@ -20,6 +20,7 @@
 
 use super::super::enclose::Enclose;
 use super::super::{Interval, Lanes};
+use super::neighbours::around;
 use super::two_fold::two_product;
 
 /// p, from the constant coefficient on.
@@ -43,8 +44,9 @@ pub fn ln<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let zero = p.splat(0.0);
     let infinity = p.splat(f64::INFINITY);
     let minus = p.splat(f64::NEG_INFINITY);
-    let low = around(p, near(p, a.lo));
-    let high = around(p, near(p, a.hi));
+    let steps = if P::FUSED { 1 } else { 2 };
+    let low = around(p, near(p, a.lo), steps);
+    let high = around(p, near(p, a.hi), steps);
     // Where a.hi ≤ 0 there is no value; an infinite bound has an infinite logarithm.
     let unbounded = p.or(p.le(a.hi, zero), p.eq(a.hi, infinity));
     Interval {
@@ -90,21 +92,4 @@ pub fn near<P: Lanes>(p: P, x: P::F) -> P::F {
     let small = p.sub_rn(small, p.mul_rn(half, rest));
     let t = p.fma_rn(s, p.fma_rn(z, poly, h), small);
     p.add_rn(a, p.sub_rn(t, h))
-}
-
-/// The neighbours of v; [0, η] for 0, which is ln 1 exactly.
-#[inline(always)]
-fn around<P: Lanes>(p: P, v: P::F) -> Interval<P::F> {
-    let size = p.abs_f(v);
-    let (mut less, mut more) = (p.before(size), p.after(size));
-    if !P::FUSED {
-        (less, more) = (p.before(less), p.after(more));
-    }
-    // Before 0 are the NaNs (its bits less one), which the maximum drops.
-    let less = p.max_f(less, p.splat(0.0));
-    let negative = p.lt(v, p.splat(0.0));
-    Interval {
-        lo: p.select(negative, p.neg_f(more), less),
-        hi: p.select(negative, p.neg_f(less), more),
-    }
 }

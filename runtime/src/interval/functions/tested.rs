@@ -116,10 +116,6 @@ fn through_zero(a: Interval, steps: u32, f: fn(f64) -> f64, least: f64, greatest
 
 const INF: f64 = f64::INFINITY;
 
-/// eᵃ − 1
-pub fn exp_m1(a: Interval, steps: u32) -> Interval {
-    through_zero(a, steps, f64::exp_m1, -1.0, INF)
-}
 /// ∛a
 pub fn cbrt(a: Interval, steps: u32) -> Interval {
     through_zero(a, steps, f64::cbrt, -INF, INF)
@@ -203,14 +199,6 @@ pub fn atan2(y: Interval, x: Interval, steps: u32) -> Interval {
     range.unwrap_or(Interval { lo: -pi, hi: pi })
 }
 
-/// sinh a
-pub fn sinh(a: Interval, steps: u32) -> Interval {
-    through_zero(a, steps, f64::sinh, -INF, INF)
-}
-/// tanh a
-pub fn tanh(a: Interval, steps: u32) -> Interval {
-    through_zero(a, steps, f64::tanh, -1.0, 1.0)
-}
 /// arsinh a
 pub fn asinh(a: Interval, steps: u32) -> Interval {
     through_zero(a, steps, asinh_bound, -INF, INF)

@@ -27,6 +27,9 @@ impl<R: Rounding> Enclose for Portable<R> {
         i_powi(a: Interval<F>, n: u32) = functions::power::powi;
         i_exp(a: Interval<F>) = functions::exp::exp;
         i_ln(a: Interval<F>) = functions::ln::ln;
+        i_exp_m1(a: Interval<F>) = functions::hyperbolic::exp_m1;
+        i_sinh(a: Interval<F>) = functions::hyperbolic::sinh;
+        i_tanh(a: Interval<F>) = functions::hyperbolic::tanh;
         i_sin(a: Interval<F>) = functions::circular::sin;
         i_cos(a: Interval<F>) = functions::circular::cos;
     }
