@@ -31,6 +31,10 @@ pub struct Arguments {
     /// Also write the figures on enclosures and contractors, as SVG and CSV
     #[arg(long)]
     pub figures: bool,
+
+    /// Also write what each ray's verdict claims, for scripts/check-certificate
+    #[arg(long, value_name = "FILE")]
+    pub certificate: Option<PathBuf>,
 }
 
 /// A contractor.

@@ -17,6 +17,9 @@ pub enum Failure {
     /// The render is refused.
     #[error(transparent)]
     Render(#[from] RenderError),
+    /// The certificate cannot be written.
+    #[error(transparent)]
+    Certificate(#[from] zeroset::certificate::CertificateError),
     /// The instruction set that was asked for does not exist here.
     #[error(transparent)]
     Isa(#[from] zeroset::interval::IsaError),

@@ -46,6 +46,10 @@ fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut impl Write) -> R
     if arguments.figures {
         paths.extend(figures::write(out, &arguments.out)?);
     }
+    if let Some(path) = &arguments.certificate {
+        picture::certify(&arguments, path)?;
+        paths.push(path.clone());
+    }
     writeln!(out)?;
     for path in paths {
         writeln!(out, "wrote {}", path.display())?;

@@ -1,11 +1,14 @@
 //! From the arguments to the two pictures.
 
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 use image::RgbImage;
 use indicatif::{ProgressBar, ProgressStyle};
 use zeroset::camera::Camera;
+use zeroset::certificate;
 use zeroset::contract::{Auto, Bisection, Halley, Newton, Tightened};
 use zeroset::render::{Options, Progress, Rendering, render};
 use zeroset::scene::Scene;
@@ -19,12 +22,43 @@ use crate::random::Random;
 const FROM: DVec3 = DVec3::new(2.6, -4.4, 2.5);
 const AT: DVec3 = DVec3::new(0.0, 0.0, -0.03);
 
-/// Renders the surface that the arguments describe.
-pub fn take(arguments: &Arguments) -> Result<Rendering, Failure> {
+/// The surface that the arguments describe.
+fn surface(arguments: &Arguments) -> SumOfExpQuadrics {
     let mut random = Random::new(arguments.seed);
     let terms = quadratics(&mut random, arguments.terms, Form::NegativeDefinite);
-    let scene = scene(SumOfExpQuadrics { terms, level: 0.5 }, arguments.solver);
-    let camera = Camera::perspective(FROM, AT, DVec3::Z, 19.5)?;
+    SumOfExpQuadrics { terms, level: 0.5 }
+}
+
+fn camera() -> Result<Camera, Failure> {
+    Ok(Camera::perspective(FROM, AT, DVec3::Z, 19.5)?)
+}
+
+/// Writes what the picture claims, with the numbers of its formula.
+pub fn certify(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
+    let surface = surface(arguments);
+    let bits = |x: &f64| format!("{:016x}", x.to_bits());
+    let mut head = vec![format!("parameter level {}", bits(&surface.level))];
+    head.extend(surface.terms.iter().map(|row| {
+        let row: Vec<String> = row.iter().map(bits).collect();
+        format!("row {}", row.join(" "))
+    }));
+    let options = Options::new(arguments.size, arguments.size);
+    let file = File::create(path).map_err(Failure::write(path))?;
+    let mut out = BufWriter::new(file);
+    let scene = scene(surface, arguments.solver);
+    Ok(certificate::write(
+        &scene,
+        &camera()?,
+        &options,
+        &head,
+        &mut out,
+    )?)
+}
+
+/// Renders it.
+pub fn take(arguments: &Arguments) -> Result<Rendering, Failure> {
+    let scene = scene(surface(arguments), arguments.solver);
+    let camera = camera()?;
     let bar = progress_bar();
     let advance = |progress: Progress| {
         bar.set_length(progress.of as u64);

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use crate::failure::Failure;
 use crate::run;
 
+mod certificates;
+
 /// Runs the program with these arguments; what it printed, or why it failed.
 fn program(arguments: &[&str]) -> Result<String, Failure> {
     let mut out = Vec::new();
@@ -59,6 +61,7 @@ fn help_is_no_failure() {
         "--solver",
         "--out",
         "--figures",
+        "--certificate",
     ] {
         assert!(help.to_string().contains(option), "{option}");
     }

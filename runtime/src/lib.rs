@@ -40,6 +40,7 @@
 #[path = "private.rs"]
 pub mod __private;
 pub mod camera;
+pub mod certificate;
 pub mod contract;
 pub mod guide;
 pub mod interval;

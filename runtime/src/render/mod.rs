@@ -20,6 +20,7 @@ use rayon::prelude::*;
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
 use crate::scene::{Prepared, Scene, SceneError, hull};
+use crate::trace::Trail;
 use crate::verdict::{Answer, Verdict};
 use settle::settle;
 use shard::Shard;
@@ -59,24 +60,14 @@ pub enum RenderError {
 /// If a parameter is not finite, a surface has no domain, the size is out of range, or the instruction set that was
 /// asked for does not exist here. Each error says what to do.
 pub fn render(scene: &Scene, camera: &Camera, options: &Options) -> Result<Rendering, RenderError> {
-    let fits = |n: u32| (1..=65536).contains(&n);
-    if !fits(options.width) || !fits(options.height) {
-        return Err(RenderError::BadSize {
-            width: options.width,
-            height: options.height,
-        });
-    }
-    let isa = match options.isa {
-        Some(isa) => isa,
-        None => Isa::detect()?,
-    };
+    let job = Job::checked(scene, camera, options)?;
     match options.threads {
-        None => Ok(Job::new(scene, camera, options, isa)?.run()),
+        None => Ok(job.run()),
         Some(threads) => {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
                 .build()?;
-            pool.install(|| Ok(Job::new(scene, camera, options, isa)?.run()))
+            Ok(pool.install(|| job.run()))
         }
     }
 }
@@ -101,11 +92,10 @@ pub fn all_roots(
     let surfaces = scene.surfaces.iter().zip(&boxes);
     Ok(surfaces
         .map(|(surface, domain)| {
-            let (entry, events, _) =
-                surface
-                    .prepare()
-                    .all_roots(isa, &options.settings, domain, ray);
-            (entry, events)
+            let trail = surface
+                .prepare()
+                .along(isa, &options.settings, domain, ray, false);
+            (trail.entry, trail.events)
         })
         .collect())
 }
@@ -124,7 +114,7 @@ fn check_ray(ray: &Ray) -> Result<(), RenderError> {
 }
 
 /// One render.
-struct Job<'a> {
+pub(crate) struct Job<'a> {
     camera: &'a Camera,
     options: &'a Options<'a>,
     isa: Isa,
@@ -136,15 +126,24 @@ struct Job<'a> {
 }
 
 impl<'a> Job<'a> {
-    fn new(
+    /// Refuses what cannot be rendered.
+    pub(crate) fn checked(
         scene: &'a Scene,
         camera: &'a Camera,
         options: &'a Options<'a>,
-        isa: Isa,
     ) -> Result<Self, RenderError> {
+        let Options { width, height, .. } = *options;
+        let fits = |n: u32| (1..=65536).contains(&n);
+        if !fits(width) || !fits(height) {
+            return Err(RenderError::BadSize { width, height });
+        }
+        let isa = match options.isa {
+            Some(isa) => isa,
+            None => Isa::detect()?,
+        };
         let boxes = scene.boxes()?;
         let domain = hull(&boxes);
-        check_ray(&camera.ray(0, 0, options.width, options.height, options.sampling))?;
+        check_ray(&camera.ray(0, 0, width, height, options.sampling))?;
         Ok(Job {
             camera,
             options,
@@ -153,6 +152,25 @@ impl<'a> Job<'a> {
             prepared: scene.surfaces.iter().map(|s| s.prepare()).collect(),
             boxes,
             domain,
+        })
+    }
+
+    /// Names and boxes.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&'static str, &[[f64; 3]; 2])> {
+        self.names.iter().copied().zip(&self.boxes)
+    }
+
+    /// A pixel's ray.
+    pub(crate) fn ray(&self, x: u32, y: u32) -> Ray {
+        let Options { width, height, .. } = *self.options;
+        self.camera.ray(x, y, width, height, self.options.sampling)
+    }
+
+    /// What each surface does to a ray, up to its first certain root.
+    pub(crate) fn first_roots(&self, ray: &Ray) -> impl Iterator<Item = Trail> {
+        let surfaces = self.prepared.iter().zip(&self.boxes);
+        surfaces.map(move |(surface, domain)| {
+            surface.along(self.isa, &self.options.settings, domain, ray, true)
         })
     }
 

@@ -6,10 +6,9 @@ use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::Isa;
 use crate::render::tile::Tile;
-use crate::solve::{Evaluations, Settings};
+use crate::solve::Settings;
 use crate::surface::{ParameterError, Surface};
-use crate::trace::{AllRoots, NormalsOfTile, TraceTile};
-use crate::verdict::Verdict;
+use crate::trace::{AlongRay, NormalsOfTile, TraceTile, Trail};
 
 /// A surface in a scene.
 pub(crate) trait Trace: Send + Sync {
@@ -33,14 +32,15 @@ pub(crate) trait Prepared: Send + Sync {
     );
     /// Normals for the pixels that show this surface.
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile);
-    /// All events along one ray, from `entry`.
-    fn all_roots(
+    /// All events along one ray, or those up to the first certain root.
+    fn along(
         &self,
         isa: Isa,
         settings: &Settings,
         domain: &[[f64; 3]; 2],
         ray: &Ray,
-    ) -> (f64, Vec<Verdict>, Evaluations);
+        first_only: bool,
+    ) -> Trail;
 }
 
 pub(crate) struct Solver<S, C> {
@@ -100,13 +100,21 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
         isa.run(NormalsOfTile::<S>::new(&self.prepared, index, tile));
     }
-    fn all_roots(
+    fn along(
         &self,
         isa: Isa,
         settings: &Settings,
         domain: &[[f64; 3]; 2],
         ray: &Ray,
-    ) -> (f64, Vec<Verdict>, Evaluations) {
-        isa.run(AllRoots::<S, C>::new(&self.prepared, settings, domain, ray))
+        first_only: bool,
+    ) -> Trail {
+        isa.run(AlongRay::<S, C> {
+            prepared: &self.prepared,
+            settings,
+            domain,
+            ray,
+            first_only,
+            solver: PhantomData,
+        })
     }
 }

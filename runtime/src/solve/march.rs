@@ -56,7 +56,7 @@ struct Front<P: Packet> {
 }
 
 /// Searches for the first root of each ray. Roots that are proved come back as brackets; what is open before them goes
-/// to `events`. Each step asks the contractor for what is left of [front, back]: nothing, and the segment moves on and
+/// to `events`, and where the first ray's search went on to `cuts`. Each step asks the contractor for what is left of [front, back]: nothing, and the segment moves on and
 /// doubles; a bracket, and the ray is done; or a first piece, which is searched next, while the gap behind it is
 /// remembered. A segment too short to be split, or one whose front cannot be told from a root, is settled by
 /// [`Stuck`].
@@ -65,6 +65,7 @@ pub(crate) fn march<S: Surface, C: Contractor, P: Packet>(
     field: &mut Field<'_, S, P>,
     search: &Search<P>,
     events: &mut Events,
+    mut cuts: Option<&mut Vec<f64>>,
 ) -> Brackets<P> {
     let p = field.p;
     let zero = p.splat(0.0);
@@ -122,6 +123,9 @@ pub(crate) fn march<S: Surface, C: Contractor, P: Packet>(
             if search.first_only {
                 live = p.and_not(live, p.and(stuck, outcome.crossed));
             }
+        }
+        if let Some(cuts) = &mut cuts {
+            cuts.push(p.to_array(at.front)[0]);
         }
         if field.counts.packets > search.limit {
             give_up(p, live, at.front, end, events);

@@ -5,7 +5,7 @@ mod roots;
 mod tile;
 
 pub(crate) use normals::NormalsOfTile;
-pub(crate) use roots::AllRoots;
+pub(crate) use roots::{AlongRay, Trail};
 pub(crate) use tile::TraceTile;
 
 use crate::contract::Contractor;
@@ -53,6 +53,8 @@ struct FirstRoots<'b, 'f, S: Surface, C, P: Packet> {
     live: P::M,
     first_only: bool,
     events: &'b mut Events,
+    /// Where the first ray's search went on, for those who keep account.
+    cuts: Option<&'b mut Vec<f64>>,
     solver: PhantomData<C>,
 }
 
@@ -108,6 +110,7 @@ impl<S: Surface, C: Contractor, P: Packet> FirstRoots<'_, '_, S, C, P> {
             settings,
             over,
             events,
+            cuts,
             first_only,
             ..
         } = self;
@@ -141,7 +144,7 @@ impl<S: Surface, C: Contractor, P: Packet> FirstRoots<'_, '_, S, C, P> {
             limit,
             first_only,
         };
-        let found: Brackets<P> = march::<S, C, P>(field, &search, events);
+        let found: Brackets<P> = march::<S, C, P>(field, &search, events, cuts.as_deref_mut());
         if p.any(found.found) {
             let t = p.call(Refine {
                 field,

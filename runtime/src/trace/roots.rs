@@ -1,4 +1,4 @@
-//! All roots along one ray.
+//! All roots along one ray, or the first.
 
 use core::marker::PhantomData;
 
@@ -11,45 +11,47 @@ use crate::solve::{Evaluations, Events, Field, Settings};
 use crate::surface::Surface;
 use crate::verdict::Verdict;
 
+/// What is known about one ray and one surface.
+#[derive(Debug, Default)]
+pub(crate) struct Trail {
+    /// The parameter from which t counts.
+    pub entry: f64,
+    /// The last t inside the box; nothing if the ray misses it.
+    pub end: Option<f64>,
+    /// In ascending order.
+    pub events: Vec<Verdict>,
+    /// Where the search went on: pieces between these were excluded one by one.
+    pub cuts: Vec<f64>,
+}
+
 /// The ordered list of events along one ray inside a box.
-pub(crate) struct AllRoots<'a, S: Surface, C> {
-    prepared: &'a S::Prepared,
-    settings: &'a Settings,
-    domain: &'a [[f64; 3]; 2],
-    ray: &'a Ray,
-    solver: PhantomData<C>,
+pub(crate) struct AlongRay<'a, S: Surface, C> {
+    pub prepared: &'a S::Prepared,
+    pub settings: &'a Settings,
+    pub domain: &'a [[f64; 3]; 2],
+    pub ray: &'a Ray,
+    /// End at the first certain root?
+    pub first_only: bool,
+    pub solver: PhantomData<C>,
 }
 
-impl<'a, S: Surface, C: Contractor> AllRoots<'a, S, C> {
-    pub fn new(
-        prepared: &'a S::Prepared,
-        settings: &'a Settings,
-        domain: &'a [[f64; 3]; 2],
-        ray: &'a Ray,
-    ) -> Self {
-        AllRoots {
-            prepared,
-            settings,
-            domain,
-            ray,
-            solver: PhantomData,
-        }
-    }
-}
-
-impl<S: Surface, C: Contractor> Kernel for AllRoots<'_, S, C> {
-    type Output = (f64, Vec<Verdict>, Evaluations);
+impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
+    type Output = Trail;
 
     #[inline(always)]
-    fn run<P: Packet>(self, p: P) -> Self::Output {
+    fn run<P: Packet>(self, p: P) -> Trail {
         let mut counts = Evaluations::default();
         let lines = Lines::same(self.ray);
         let span = clip(p, &lines, self.domain);
         if p.bits(p.le(span.near, span.far)) & 1 == 0 {
-            return (0.0, Vec::new(), counts);
+            return Trail::default();
         }
-        let entry = p.to_array(span.near)[0];
         let length = p.sub_ru(span.far, span.near);
+        let mut trail = Trail {
+            entry: p.to_array(span.near)[0],
+            end: Some(p.to_array(length)[0]),
+            ..Trail::default()
+        };
         let rays = Rays::recentred(p, &lines, span.near, length);
         let active = S::everything(self.prepared);
         let mut bound = S::unbound(p);
@@ -65,7 +67,6 @@ impl<S: Surface, C: Contractor> Kernel for AllRoots<'_, S, C> {
             bound: &bound,
             counts: &mut counts,
         };
-        let mut found = Vec::new();
         let mut events = Events::default();
         let mut over = Interval {
             lo: p.splat(0.0),
@@ -80,13 +81,14 @@ impl<S: Surface, C: Contractor> Kernel for AllRoots<'_, S, C> {
                 entry: span.near,
                 over: &over,
                 live: one,
-                first_only: false,
+                first_only: self.first_only,
                 events: &mut events,
+                cuts: Some(&mut trail.cuts),
                 solver: PhantomData,
             };
             let roots = p.call(job);
             for verdict in &events.of[0] {
-                verdict.append(&mut found);
+                verdict.append(&mut trail.events);
             }
             events.clear();
             if p.bits(roots.hit) & 1 == 0 {
@@ -96,12 +98,12 @@ impl<S: Surface, C: Contractor> Kernel for AllRoots<'_, S, C> {
                 lo: p.to_array(roots.t.lo)[0],
                 hi: p.to_array(roots.t.hi)[0],
             };
-            Verdict::Root { t }.append(&mut found);
+            Verdict::Root { t }.append(&mut trail.events);
             over.lo = roots.resume;
-            if p.bits(p.lt(over.lo, over.hi)) & 1 == 0 {
+            if self.first_only || p.bits(p.lt(over.lo, over.hi)) & 1 == 0 {
                 break;
             }
         }
-        (entry, found, counts)
+        trail
     }
 }

@@ -85,6 +85,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
                 live,
                 first_only: true,
                 events: &mut events,
+                cuts: None,
                 solver: PhantomData,
             };
             let roots = p.call(job);
