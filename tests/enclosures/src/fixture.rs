@@ -7,8 +7,29 @@ use zeroset::interval::Interval;
 pub struct Bracket {
     /// The arguments; a function of one variable ignores the second.
     pub at: [f64; 2],
+    /// Is there one argument?
+    pub unary: bool,
     /// The greatest double that is not above the value, and the least that is not below.
     pub value: Interval,
+}
+
+/// A line as `generate.py` writes it.
+pub fn parse(line: &str) -> Option<Bracket> {
+    let number = |field: &str| Some(f64::from_bits(u64::from_str_radix(field, 16).ok()?));
+    let fields: Option<Vec<f64>> = line.split(' ').map(number).collect();
+    match fields?[..] {
+        [x, lo, hi] => Some(Bracket {
+            at: [x, 1.0],
+            unary: true,
+            value: Interval { lo, hi },
+        }),
+        [x, y, lo, hi] => Some(Bracket {
+            at: [x, y],
+            unary: false,
+            value: Interval { lo, hi },
+        }),
+        _ => None,
+    }
 }
 
 /// The brackets of a function.
@@ -18,23 +39,8 @@ pub struct Bracket {
 pub fn brackets(name: &str) -> Vec<Bracket> {
     let path = format!("{}/fixtures/{name}.txt", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
-    let number =
-        |field: &str| f64::from_bits(u64::from_str_radix(field, 16).expect("bits of a double"));
     text.lines()
-        .map(|line| {
-            let fields: Vec<f64> = line.split(' ').map(number).collect();
-            match fields[..] {
-                [x, lo, hi] => Bracket {
-                    at: [x, 1.0],
-                    value: Interval { lo, hi },
-                },
-                [x, y, lo, hi] => Bracket {
-                    at: [x, y],
-                    value: Interval { lo, hi },
-                },
-                _ => panic!("{path}: {line}"),
-            }
-        })
+        .map(|line| parse(line).unwrap_or_else(|| panic!("{path}: {line}")))
         .collect()
 }
 

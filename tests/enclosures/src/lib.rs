@@ -6,3 +6,5 @@ pub mod fixture;
 pub mod itf;
 pub mod operand;
 pub mod operation;
+pub mod promise;
+pub mod survey;
