@@ -39,7 +39,7 @@ same() {
         cat "$@" | grep -q "$bits" || { echo "FAILED: $bits of $name.sollya is not in $*"; failed=1; }
     done
     for way in fused plain; do
-        for literal in $(echo "$constants" | sed -n 's/^[QSCL][0-9]* = //p'); do
+        for literal in $(echo "$constants" | sed -n 's/^[ABCLQS][0-9]* = //p'); do
             # shellcheck disable=SC2086
             (for script in $scripts; do cat "$script.g" 2>/dev/null || cat "${script}_$way.g"; done) | grep -q "= $literal;" ||
                 { echo "FAILED: $literal of $name.sollya is not in $scripts"; failed=1; }
@@ -71,5 +71,11 @@ prove ln_fused.g "[1b-53, 0.33334]" 7.2e-16
 prove ln_fused.g "[-0.33334, -1b-53]" 6.1e-16
 prove ln_plain.g "[1b-53, 0.33334]" 1e-15
 prove ln_plain.g "[-0.33334, -1b-53]" 1e-15
+same atan atan "$functions/arctangent.rs"
+both atan.g "" ""
+same asin asin "$functions/arcsine.rs"
+both asin.g "" ""
+same cbrt "" "$functions/cbrt.rs"
+prove cbrt.g "" ""
 python3 remainder.py || failed=1
 exit "$failed"

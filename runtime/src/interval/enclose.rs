@@ -178,6 +178,48 @@ pub trait Enclose: Lanes {
         functions::circular::cos(self, a)
     }
 
+    /// arctan a
+    #[inline(always)]
+    fn i_atan(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::arctangent::atan(self, a)
+    }
+
+    /// arcsin a over [−1, 1]
+    #[inline(always)]
+    fn i_asin(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::arcsine::asin(self, a)
+    }
+
+    /// arccos a over [−1, 1]
+    #[inline(always)]
+    fn i_acos(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::arcsine::acos(self, a)
+    }
+
+    /// ∛a
+    #[inline(always)]
+    fn i_cbrt(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::cbrt::cbrt(self, a)
+    }
+
+    /// tan a; the line across a pole
+    #[inline(always)]
+    fn i_tan(self, a: Interval<Self::F>) -> Interval<Self::F> {
+        functions::tangent::tan(self, a)
+    }
+
+    /// The angles of (x, y) over the box, but for the origin
+    #[inline(always)]
+    fn i_atan2(self, y: Interval<Self::F>, x: Interval<Self::F>) -> Interval<Self::F> {
+        functions::angle::atan2(self, y, x)
+    }
+
+    /// √(a² + b²)
+    #[inline(always)]
+    fn i_hypot(self, a: Interval<Self::F>, b: Interval<Self::F>) -> Interval<Self::F> {
+        functions::hypot::hypot(self, a, b)
+    }
+
     /// ln a over a > 0; the line where there is no such number
     #[inline(always)]
     fn i_ln(self, a: Interval<Self::F>) -> Interval<Self::F> {

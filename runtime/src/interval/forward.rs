@@ -171,7 +171,7 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn cbrt(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::cbrt)
+        self.i_cbrt(a)
     }
     #[inline(always)]
     fn pow(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
@@ -227,32 +227,36 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn tan(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        functions::circular::tan(self, a)
+        let range = self.i_tan(a);
+        // Between its poles the tangent of a double is finite.
+        let pole = self.eq(range.lo, self.splat(f64::NEG_INFINITY));
+        let flags = Flags {
+            undefined: pole,
+            ..Flags::none(self)
+        };
+        (range, flags)
     }
     #[inline(always)]
     fn asin(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane(self, a, tested::asin),
+            self.i_asin(a),
             functions::domain::between(self, a, -1.0, 1.0),
         )
     }
     #[inline(always)]
     fn acos(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane(self, a, tested::acos),
+            self.i_acos(a),
             functions::domain::between(self, a, -1.0, 1.0),
         )
     }
     #[inline(always)]
     fn atan(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::atan)
+        self.i_atan(a)
     }
     #[inline(always)]
     fn atan2(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            tested::per_lane2(self, a, b, tested::atan2),
-            functions::domain::angle(self, a, b),
-        )
+        (self.i_atan2(a, b), functions::domain::angle(self, a, b))
     }
     #[inline(always)]
     fn sinh(self, a: Interval<P::F>) -> Interval<P::F> {
@@ -286,6 +290,6 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn hypot(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        self.i_sqrt(self.i_add(self.i_sqr(a), self.i_sqr(b)))
+        self.i_hypot(a, b)
     }
 }

@@ -192,12 +192,32 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         functions::circular::near(self.0, a, 1.0)
     }
     #[inline(always)]
+    fn tan(self, a: P::F) -> (P::F, Flags<P>) {
+        (functions::tangent::near(self.0, a), self.clear())
+    }
+    #[inline(always)]
+    fn asin(self, a: P::F) -> (P::F, Flags<P>) {
+        (functions::arcsine::near_sine(self.0, a), self.clear())
+    }
+    #[inline(always)]
+    fn acos(self, a: P::F) -> (P::F, Flags<P>) {
+        (functions::arcsine::near_cosine(self.0, a), self.clear())
+    }
+    #[inline(always)]
+    fn atan(self, a: P::F) -> P::F {
+        functions::arctangent::near(self.0, a)
+    }
+    #[inline(always)]
+    fn cbrt(self, a: P::F) -> P::F {
+        functions::cbrt::near(self.0, a)
+    }
+    #[inline(always)]
     fn pow(self, a: P::F, b: P::F) -> (P::F, Flags<P>) {
         (each2(self.0, a, b, f64::powf), self.clear())
     }
     #[inline(always)]
     fn atan2(self, a: P::F, b: P::F) -> (P::F, Flags<P>) {
-        (each2(self.0, a, b, f64::atan2), self.clear())
+        (functions::angle::near(self.0, a, b), self.clear())
     }
     #[inline(always)]
     fn hypot(self, a: P::F, b: P::F) -> P::F {
@@ -205,7 +225,7 @@ impl<P: Packet> Arithmetic for Nearest<P> {
     }
 
     per_lane! {
-        total: cbrt exp2 exp_m1 atan sinh cosh tanh asinh;
-        partial: ln_1p log2 log10 tan asin acos acosh atanh
+        total: exp2 exp_m1 sinh cosh tanh asinh;
+        partial: ln_1p log2 log10 acosh atanh
     }
 }

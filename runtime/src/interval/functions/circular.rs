@@ -1,4 +1,4 @@
-//! sin, cos and tan on packets: a reduction by π/2, two polynomials, proved; extrema and poles counted exactly.
+//! sin and cos on packets: a reduction by π/2, two polynomials, proved; extrema counted exactly.
 //!
 //! With k = ⌊x·2/π⌉, x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ ulp(r)/2 (see [`reduce`]). For r ≥ 0 in doubles,
 //!
@@ -19,8 +19,9 @@
 //! quarter-wave; signs and the swap of sin and cos are exact.
 
 use super::super::lanes::WHOLE;
-use super::super::{Flags, Interval, Lanes};
+use super::super::{Interval, Lanes};
 use super::remainder::{Reduced, reduce};
+use super::two_fold::Sum;
 
 /// s, from the constant coefficient on.
 const S: [u64; 6] = [
@@ -41,8 +42,9 @@ const C: [u64; 6] = [
     0xbda8fb13a797c552,
 ];
 
-/// Lower and upper bounds at one point per lane, and n + [`WHOLE`], n being the number of odd multiples of π/2 below it (up to a constant
-/// that is a multiple of 4). Between a and b lie n(b) − n(a) of them: extrema of the sine, poles of the tangent.
+/// Lower and upper bounds at one point per lane, and n + [`WHOLE`], n being the number of odd multiples of π/2 below it
+/// (up to a constant that is a multiple of 4). Between a and b lie n(b) − n(a) of them: extrema of the sine, poles of the
+/// tangent.
 struct Point<P: Lanes> {
     value: Interval<P::F>,
     n: P::F,
@@ -87,31 +89,10 @@ pub fn near<P: Lanes>(p: P, x: P::F, quarters: f64) -> P::F {
     p.select(p.eq(x, x), sine_at(p, x, quarters).value.lo, x)
 }
 
-/// tan a: increasing between its poles; the line, *undefined*, across one.
-#[inline(always)]
-pub fn tan<P: Lanes>(p: P, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-    let start = tangent_at(p, a.lo);
-    let end = tangent_at(p, a.hi);
-    let count = p.add_rn(p.sub_rn(end.n, start.n), p.splat(WHOLE));
-    let wide = p.le(p.splat(3.125), p.sub_ru(a.hi, a.lo));
-    let pole = p.or(wide, p.or(p.bit::<0>(count), p.bit::<1>(count)));
-    let range = Interval {
-        lo: p.select(pole, p.splat(f64::NEG_INFINITY), start.value.lo),
-        hi: p.select(pole, p.splat(f64::INFINITY), end.value.hi),
-    };
-    (
-        range,
-        Flags {
-            undefined: pole,
-            ..Flags::none(p)
-        },
-    )
-}
-
 /// n + [`WHOLE`] for x = k·π/2 + r: n = ⌊k/2⌋, and one more if k is odd and r ≥ 0.
 /// To the nearest whole number k/2 − ¼ is ⌊k/2⌋ ± ¼, k/2 + ¼ is ⌊(k + 1)/2⌋ ± ¼.
 #[inline(always)]
-fn odd_multiples_below<P: Lanes>(p: P, k: P::F, negative: P::M) -> P::F {
+pub fn odd_multiples_below<P: Lanes>(p: P, k: P::F, negative: P::M) -> P::F {
     let quarter = p.select(negative, p.splat(-0.25), p.splat(0.25));
     p.add_rn(p.fma_rn(k, p.splat(0.5), quarter), p.splat(WHOLE))
 }
@@ -125,7 +106,8 @@ fn sine_at<P: Lanes>(p: P, x: P::F, quarters: f64) -> Point<P> {
     let shifted = p.add_rn(k, p.splat(WHOLE));
     let (cosine, back) = (p.bit::<0>(shifted), p.bit::<1>(shifted));
     let (s, c) = quarter_wave(p, reduced, negative);
-    let m = p.select(cosine, c, s);
+    let high = p.select(cosine, c.high, s.high);
+    let m = p.add_rn(high, p.select(cosine, c.low, s.low));
     // sin(r) is odd, cos(r) even.
     let flip = exclusive(p, back, p.and_not(negative, cosine));
     Point {
@@ -134,42 +116,30 @@ fn sine_at<P: Lanes>(p: P, x: P::F, quarters: f64) -> Point<P> {
     }
 }
 
-/// The tangent: sin/cos, or −cos/sin in odd quadrants.
+/// sin |r + ρ| = r + (r·t + ρ′) and cos(r + ρ) = w + d, before their last sums.
 #[inline(always)]
-fn tangent_at<P: Lanes>(p: P, x: P::F) -> Point<P> {
-    let reduced = reduce(p, x);
-    let k = reduced.k;
-    let negative = p.lt(reduced.r, p.splat(0.0));
-    let swap = p.bit::<0>(p.add_rn(k, p.splat(WHOLE)));
-    let (s, c) = quarter_wave(p, reduced, negative);
-    let (s, c) = (around(p, s), around(p, c));
-    let num = select(p, swap, c, s);
-    let den = select(p, swap, s, c);
-    // No double but 0 is a multiple of π/2, so a divisor is positive.
-    let quotient = Interval {
-        lo: p.max_f(p.div_rd(num.lo, den.hi), p.splat(0.0)),
-        hi: p.div_ru(num.hi, den.lo),
-    };
-    Point {
-        value: signed(p, quotient, exclusive(p, swap, negative)),
-        n: odd_multiples_below(p, k, negative),
-    }
-}
-
-/// Near sin |r + ρ| and cos(r + ρ).
-#[inline(always)]
-fn quarter_wave<P: Lanes>(p: P, reduced: Reduced<P::F>, negative: P::M) -> (P::F, P::F) {
+pub fn quarter_wave<P: Lanes>(
+    p: P,
+    reduced: Reduced<P::F>,
+    negative: P::M,
+) -> (Sum<P::F>, Sum<P::F>) {
     let r = p.abs_f(reduced.r);
     let rho = p.select(negative, p.neg_f(reduced.rho), reduced.rho);
     let z = p.mul_rn(r, r);
     let h = p.mul_rn(z, p.splat(0.5));
     let t = p.mul_rn(z, horner(p, z, S));
     let tail = p.sub_rn(rho, p.mul_rn(rho, h));
-    let sine = p.add_rn(r, p.fma_rn(t, r, tail));
+    let sine = Sum {
+        high: r,
+        low: p.fma_rn(t, r, tail),
+    };
     let one = p.splat(1.0);
     let w = p.sub_rn(one, h);
     let rest = p.sub_rn(p.sub_rn(p.sub_rn(one, w), h), p.mul_rn(r, rho));
-    let cosine = p.add_rn(w, p.fma_rn(p.mul_rn(z, z), horner(p, z, C), rest));
+    let cosine = Sum {
+        high: w,
+        low: p.fma_rn(p.mul_rn(z, z), horner(p, z, C), rest),
+    };
     (sine, cosine)
 }
 
@@ -199,16 +169,8 @@ fn around<P: Lanes>(p: P, m: P::F) -> Interval<P::F> {
 }
 
 #[inline(always)]
-fn exclusive<P: Lanes>(p: P, a: P::M, b: P::M) -> P::M {
+pub fn exclusive<P: Lanes>(p: P, a: P::M, b: P::M) -> P::M {
     p.or(p.and_not(a, b), p.and_not(b, a))
-}
-
-#[inline(always)]
-fn select<P: Lanes>(p: P, mask: P::M, yes: Interval<P::F>, no: Interval<P::F>) -> Interval<P::F> {
-    Interval {
-        lo: p.select(mask, yes.lo, no.lo),
-        hi: p.select(mask, yes.hi, no.hi),
-    }
 }
 
 /// −a where `negate` is set.

@@ -116,11 +116,6 @@ fn through_zero(a: Interval, steps: u32, f: fn(f64) -> f64, least: f64, greatest
 
 const INF: f64 = f64::INFINITY;
 
-/// ∛a
-pub fn cbrt(a: Interval, steps: u32) -> Interval {
-    through_zero(a, steps, f64::cbrt, -INF, INF)
-}
-
 /// A logarithm of x − pole for x > pole; the line where there is no such x.
 fn logarithm(a: Interval, steps: u32, f: fn(f64) -> f64, pole: f64) -> Interval {
     if a.hi <= pole {
@@ -155,48 +150,6 @@ fn clamp(a: Interval, least: f64, greatest: f64) -> Interval {
         lo: a.lo.clamp(least, greatest),
         hi: a.hi.clamp(least, greatest),
     }
-}
-
-/// arcsin a
-pub fn asin(a: Interval, steps: u32) -> Interval {
-    through_zero(clamp(a, -1.0, 1.0), steps, f64::asin, -INF, INF)
-}
-/// arccos a, decreasing
-pub fn acos(a: Interval, steps: u32) -> Interval {
-    let a = clamp(a, -1.0, 1.0);
-    Interval {
-        lo: down(a.hi.acos(), steps).max(0.0),
-        hi: up(a.lo.acos(), steps),
-    }
-}
-/// arctan a
-pub fn atan(a: Interval, steps: u32) -> Interval {
-    through_zero(a, steps, f64::atan, -INF, INF)
-}
-
-/// The angle of (x, y). Where the box holds neither the origin nor a piece of the cut, the extreme angles are those of
-/// corners: the angle has no extremum inside a convex set that does not surround the origin. Infinite corners are limits
-/// along edges, which the library's values are.
-pub fn atan2(y: Interval, x: Interval, steps: u32) -> Interval {
-    let pi = up(std::f64::consts::PI, steps.max(1));
-    let on_axis = y.lo <= 0.0 && y.hi >= 0.0;
-    if on_axis && x.lo <= 0.0 && (y.lo < 0.0 || x.hi >= 0.0) {
-        return Interval {
-            lo: if y.lo < 0.0 { -pi } else { 0.0 },
-            hi: pi,
-        };
-    }
-    let mut range: Option<Interval> = None;
-    for corner in [(y.lo, x.lo), (y.lo, x.hi), (y.hi, x.lo), (y.hi, x.hi)] {
-        // −0 would be the other side of the cut.
-        let angle = (corner.0 + 0.0).atan2(corner.1 + 0.0);
-        let around = Interval {
-            lo: down(angle, steps).max(-pi),
-            hi: up(angle, steps).min(pi),
-        };
-        range = Some(range.map_or(around, |r| r.hull(&around)));
-    }
-    range.unwrap_or(Interval { lo: -pi, hi: pi })
 }
 
 /// arsinh a

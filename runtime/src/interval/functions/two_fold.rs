@@ -1,6 +1,15 @@
-//! Products with their rounding errors, on packets.
+//! Products and quotients with their rounding errors, on packets.
 
 use super::super::Lanes;
+
+/// The unevaluated sum of two doubles, the second no larger than a unit in the last place of the first.
+#[derive(Clone, Copy)]
+pub struct Sum<F> {
+    /// The larger part.
+    pub high: F,
+    /// The smaller part.
+    pub low: F,
+}
 
 /// (h, l) with h + l = a·b exactly, barring overflow and underflow: one fused operation, or Dekker's product.
 #[inline(always)]
@@ -23,4 +32,27 @@ fn split<P: Lanes>(p: P, a: P::F) -> (P::F, P::F) {
     let c = p.mul_rn(p.splat(134_217_729.0), a);
     let h = p.sub_rn(c, p.sub_rn(c, a));
     (h, p.sub_rn(a, h))
+}
+
+/// q + ρ near (n + n′)/(d + d′), for |n′| ≤ u|n|, |d′| ≤ u|d|, u = 2⁻⁵³, barring overflow and underflow: to 2⁻¹⁰¹
+/// relatively, with |ρ| ≤ 2⁻⁵⁰|q|.
+///
+/// q is n times the rounded reciprocal of d, so it errs by 2u relatively. n − q·d takes 2u·|n|; it is exact up to one
+/// rounding (with q·d = h + l, n − h by Sterbenz), n′ − q·d′ adds 2u·|n| with two: together below 4u·|n|, wrong by 8u²·|n|
+/// at most. The product with the reciprocal adds 8u² relatively, d for d + d′ in it 4u².
+#[inline(always)]
+pub fn quotient<P: Lanes>(p: P, n: Sum<P::F>, d: Sum<P::F>) -> Sum<P::F> {
+    let inverse = p.div_rn(p.splat(1.0), d.high);
+    let q = p.mul_rn(n.high, inverse);
+    let rest = if P::FUSED {
+        p.fma_rn(p.neg_f(q), d.high, n.high)
+    } else {
+        let (h, l) = two_product(p, q, d.high);
+        p.sub_rn(p.sub_rn(n.high, h), l)
+    };
+    let low = p.fma_rn(p.neg_f(q), d.low, n.low);
+    Sum {
+        high: q,
+        low: p.mul_rn(p.add_rn(rest, low), inverse),
+    }
 }

@@ -32,6 +32,13 @@ impl<R: Rounding> Enclose for Portable<R> {
         i_tanh(a: Interval<F>) = functions::hyperbolic::tanh;
         i_sin(a: Interval<F>) = functions::circular::sin;
         i_cos(a: Interval<F>) = functions::circular::cos;
+        i_tan(a: Interval<F>) = functions::tangent::tan;
+        i_atan(a: Interval<F>) = functions::arctangent::atan;
+        i_asin(a: Interval<F>) = functions::arcsine::asin;
+        i_acos(a: Interval<F>) = functions::arcsine::acos;
+        i_atan2(y: Interval<F>, x: Interval<F>) = functions::angle::atan2;
+        i_cbrt(a: Interval<F>) = functions::cbrt::cbrt;
+        i_hypot(a: Interval<F>, b: Interval<F>) = functions::hypot::hypot;
     }
 }
 

@@ -1,0 +1,84 @@
+//! tan on packets: the quotient of sin and cos before their last sums, proved; poles counted exactly.
+//!
+//! With S + S′ and C + C′ for the unrounded sums r + (r·t + ρ′) and w + d of [`circular`](super::circular) (Dekker), tan x
+//! is (S + S′)/(C + C′), or −(C + C′)/(S + S′) where k is odd: q + ρ of [`quotient`], and v = q + ρ.
+//!
+//! Errors, relatively, in units of u = 2⁻⁵³: of S + S′ 0.45, or 0.6 without fused operations, of r for sin r ≥ 0.9·r; of
+//! C + C′ 0.38 of 1 for cos r ≥ 0.707. Together below 1.05, or 1.21; the quotient adds 2⁻⁴⁸. A unit in the last
+//! place of v is at least u·v, the last sum errs by half of one: together less than two units, also below a power of two,
+//! where the last sum errs by half of the smaller unit. So the second neighbours of v enclose a point.
+
+use super::super::enclose::Enclose;
+use super::super::lanes::WHOLE;
+use super::super::{Interval, Lanes};
+use super::circular::{exclusive, odd_multiples_below, quarter_wave};
+use super::neighbours::around;
+use super::remainder::reduce;
+use super::two_fold::{Sum, quotient};
+
+/// The tangent at one point per lane, and the number of poles below it as in [`odd_multiples_below`].
+struct Point<P: Lanes> {
+    value: P::F,
+    n: P::F,
+}
+
+/// tan a: increasing between its poles; the line across one. At a point at most four units wide in the last place, on
+/// every back-end.
+#[inline(always)]
+pub fn tan<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
+    let (start, end) = (tangent_at(p, a.lo), tangent_at(p, a.hi));
+    let count = p.add_rn(p.sub_rn(end.n, start.n), p.splat(WHOLE));
+    // The count is right modulo 4, and below 3π there are less than 4.
+    let wide = p.le(p.splat(9.0), p.sub_ru(a.hi, a.lo));
+    let pole = p.or(wide, p.or(p.bit::<0>(count), p.bit::<1>(count)));
+    let lo = around(p, start.value, 2).lo;
+    let hi = around(p, end.value, 2).hi;
+    Interval {
+        lo: p.select(pole, p.splat(f64::NEG_INFINITY), lo),
+        hi: p.select(pole, p.splat(f64::INFINITY), hi),
+    }
+}
+
+/// tan x to within two units in the last place; NaN of NaN and of infinities.
+#[inline(always)]
+pub fn near<P: Lanes>(p: P, x: P::F) -> P::F {
+    let finite = p.lt(p.abs_f(x), p.splat(f64::INFINITY));
+    p.select(finite, tangent_at(p, x).value, p.splat(f64::NAN))
+}
+
+/// The tangent of x: sin/cos, or −cos/sin in odd quadrants; 0 for 0 only.
+#[inline(always)]
+fn tangent_at<P: Lanes>(p: P, x: P::F) -> Point<P> {
+    let reduced = reduce(p, x);
+    let k = reduced.k;
+    let negative = p.lt(reduced.r, p.splat(0.0));
+    let swap = p.bit::<0>(p.add_rn(k, p.splat(WHOLE)));
+    let (s, c) = quarter_wave(p, reduced, negative);
+    let (s, c) = (normal(p, s), normal(p, c));
+    // No double but 0 is a multiple of π/2, so a divisor is positive.
+    let ratio = quotient(p, select(p, swap, c, s), select(p, swap, s, c));
+    let v = p.add_rn(ratio.high, ratio.low);
+    let flip = exclusive(p, swap, negative);
+    Point {
+        value: p.select(flip, p.neg_f(v), v),
+        n: odd_multiples_below(p, k, negative),
+    }
+}
+
+/// The same sum, its larger part rounded from both: exactly, because the larger part is.
+#[inline(always)]
+fn normal<P: Lanes>(p: P, a: Sum<P::F>) -> Sum<P::F> {
+    let high = p.add_rn(a.high, a.low);
+    Sum {
+        high,
+        low: p.sub_rn(a.low, p.sub_rn(high, a.high)),
+    }
+}
+
+#[inline(always)]
+fn select<P: Lanes>(p: P, mask: P::M, yes: Sum<P::F>, no: Sum<P::F>) -> Sum<P::F> {
+    Sum {
+        high: p.select(mask, yes.high, no.high),
+        low: p.select(mask, yes.low, no.low),
+    }
+}
