@@ -37,13 +37,14 @@ pub fn width(name: &str, backend: &str) -> u64 {
         "add" | "sub" | "sqrt" if optimal => 1,
         "sqr" | "recip" | "mul" | "div" if backend == "avx512" => 1,
         "add" | "sub" | "sqrt" | "sqr" | "recip" | "mul" | "div" => 2,
-        "exp" => 2,
+        "exp" | "atan" | "asin" | "acos" | "cbrt" => 2,
         "ln" | "sin" | "cos" if fused => 2,
         "ln" | "sin" | "cos" => 4,
-        // A quotient of two of them.
-        "tan" => 14,
-        // The squares may overflow or vanish.
-        "hypot" => u64::MAX,
+        "tan" => 4,
+        // Where the quotient is tiny.
+        "atan2" => 6,
+        "hypot" if optimal => 8,
+        "hypot" => 16,
         _ => 12,
     }
 }

@@ -62,27 +62,6 @@ pub const EXCEPTIONS: &[Exception] = &[
         reason: "ln, two units wide on each side without fused operations, times a constant",
     },
     Exception {
-        operation: "tan",
-        backends: &[],
-        only: |a, _, _| a.hi - a.lo > 3.125,
-        limit: FAR,
-        reason: "longer than 3.125: taken to hold a pole; `undefined` is set",
-    },
-    Exception {
-        operation: "tan",
-        backends: &["portable"],
-        only: |_, _, _| true,
-        limit: 8,
-        reason: "a quotient of sine and cosine, two units wide on each side without fused operations",
-    },
-    Exception {
-        operation: "atan2",
-        backends: &[],
-        only: |y, x, _| y.contains(0.0) && x.contains(0.0),
-        limit: FAR,
-        reason: "the origin is in the box: all angles of the half plane; `undefined` is set",
-    },
-    Exception {
         operation: "pow",
         backends: &[],
         only: |a, _, _| a.hi <= 0.0,
