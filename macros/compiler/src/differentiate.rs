@@ -208,6 +208,10 @@ impl Graph {
                 let mut sum = self.integer(0);
                 for (operand, partial) in self.partials(id) {
                     let slope = self.along(operand, memo, leaf);
+                    // Nothing comes from there, also where the partial derivative is not defined.
+                    if self.is_zero(slope) {
+                        continue;
+                    }
                     let term = self.multiply(partial, slope);
                     sum = self.add(sum, term);
                 }

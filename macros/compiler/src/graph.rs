@@ -150,11 +150,25 @@ pub struct Graph {
     ops: Vec<Op>,
     info: Vec<Info>,
     known: HashMap<Op, Id>,
+    as_written: bool,
     /// All folds, outer before inner.
     pub folds: Vec<Fold>,
 }
 
 impl Graph {
+    /// A graph that shares nodes but rewrites nothing: what a formula says, for comparison.
+    pub fn as_written() -> Self {
+        Graph {
+            as_written: true,
+            ..Graph::default()
+        }
+    }
+
+    /// May constructors replace an expression by an equal one?
+    pub(crate) fn rewrites(&self) -> bool {
+        !self.as_written
+    }
+
     /// How many nodes there are.
     pub fn len(&self) -> usize {
         self.ops.len()

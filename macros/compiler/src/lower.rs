@@ -26,10 +26,15 @@ pub struct Lowering<'a> {
 impl<'a> Lowering<'a> {
     /// An empty graph for `formula`.
     pub fn new(formula: &'a Formula) -> Self {
+        Lowering::into_graph(formula, Graph::default())
+    }
+
+    /// The same, into this graph: [`Graph::as_written`] keeps what the formula says.
+    pub fn into_graph(formula: &'a Formula, graph: Graph) -> Self {
         let (lets, folds) = (HashMap::new(), HashMap::new());
         Lowering {
             formula,
-            graph: Graph::default(),
+            graph,
             lets,
             folds,
             depth: 0,

@@ -29,21 +29,25 @@ impl Graph {
     /// −a
     pub fn negate(&mut self, a: Id) -> Id {
         match self.op(a).clone() {
+            _ if !self.rewrites() => self.plain_negate(a),
             Op::Literal(r) => self.number(-r),
             Op::Negate(inner) => inner,
             Op::Subtract(b, c) => self.subtract(c, b),
-            _ => {
-                let info = self.info(a);
-                let (degree, sign) = (info.degree, opposite(info.sign));
-                self.node(Op::Negate(a), degree, sign, false)
-            }
+            _ => self.plain_negate(a),
         }
+    }
+
+    fn plain_negate(&mut self, a: Id) -> Id {
+        let info = self.info(a);
+        let (degree, sign) = (info.degree, opposite(info.sign));
+        self.node(Op::Negate(a), degree, sign, false)
     }
 
     /// a + b
     pub fn add(&mut self, a: Id, b: Id) -> Id {
         let (a, b) = if a <= b { (a, b) } else { (b, a) };
         match (self.op(a).clone(), self.op(b).clone()) {
+            _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
                 if let Some(id) = self.exact(x + y) {
                     return id;
@@ -66,6 +70,7 @@ impl Graph {
     /// a − b
     pub fn subtract(&mut self, a: Id, b: Id) -> Id {
         match (self.op(a).clone(), self.op(b).clone()) {
+            _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
                 if let Some(id) = self.exact(x - y) {
                     return id;
@@ -89,6 +94,7 @@ impl Graph {
     pub fn multiply(&mut self, a: Id, b: Id) -> Id {
         let (a, b) = if a <= b { (a, b) } else { (b, a) };
         match (self.op(a).clone(), self.op(b).clone()) {
+            _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
                 if let Some(id) = self.exact(x * y) {
                     return id;
@@ -145,13 +151,14 @@ impl Graph {
     /// a/b
     pub fn divide(&mut self, a: Id, b: Id) -> Id {
         if let Some(y) = self.literal(b).cloned()
+            && self.rewrites()
             && !y.is_zero()
             && let Some(inverse) = self.exact(y.recip())
         {
             return self.multiply(inverse, a);
         }
         // One reciprocal at the surface stage serves all rays, and keeps polynomials polynomial.
-        if !self.varies(b) && self.varies(a) {
+        if self.rewrites() && !self.varies(b) && self.varies(a) {
             let inverse = self.reciprocal(b);
             return self.multiply(a, inverse);
         }
@@ -168,6 +175,7 @@ impl Graph {
     /// aⁿ for a whole n ≥ 0
     pub fn power(&mut self, a: Id, n: u32) -> Id {
         match (self.op(a).clone(), n) {
+            _ if !self.rewrites() => {}
             (_, 1) => return a,
             (_, 0) if self.info(a).total => return self.integer(1),
             (Op::Literal(x), _) => {
@@ -232,10 +240,10 @@ impl Graph {
             return self.integer(0);
         };
         let (first, order) = (*first, rest.len());
-        if kind == FoldKind::Sum && self.is_zero(first) {
+        if self.rewrites() && kind == FoldKind::Sum && self.is_zero(first) {
             return first;
         }
-        if order > 0 && rest.iter().all(|d| self.is_zero(*d)) {
+        if self.rewrites() && order > 0 && rest.iter().all(|d| self.is_zero(*d)) {
             return self.integer(0);
         }
         let info = self.info(first).clone();

@@ -10,17 +10,20 @@ impl Graph {
     /// A function of one argument.
     pub fn unary(&mut self, f: Function, a: Id) -> Id {
         if let Some(r) = self.literal(a).cloned()
+            && self.rewrites()
             && let Some(value) = exact_value(f, &r)
         {
             return self.number(value);
         }
         match (f, self.info(a).sign, self.op(a).clone()) {
+            // No operation of its own.
+            (Function::Recip, _, _) => return self.reciprocal(a),
+            _ if !self.rewrites() => {}
             (Function::Abs, Sign::NonNegative, _) => return a,
             (Function::Abs, Sign::NonPositive, _) => return self.negate(a),
             (Function::Abs | Function::Cos | Function::Cosh, _, Op::Negate(b)) => {
                 return self.unary(f, b);
             }
-            (Function::Recip, _, _) => return self.reciprocal(a),
             // Odd functions: the sign moves outward.
             (
                 Function::Sin
@@ -51,7 +54,8 @@ impl Graph {
 
     /// `min`, `max`, `hypot`, `atan2`.
     pub fn binary(&mut self, f: Function, a: Id, b: Id) -> Id {
-        if matches!(f, Function::Min | Function::Max)
+        if self.rewrites()
+            && matches!(f, Function::Min | Function::Max)
             && let (Some(x), Some(y)) = (self.literal(a), self.literal(b))
         {
             return if (x < y) == (f == Function::Min) {
@@ -60,7 +64,7 @@ impl Graph {
                 b
             };
         }
-        if matches!(f, Function::Min | Function::Max) && a == b {
+        if self.rewrites() && matches!(f, Function::Min | Function::Max) && a == b {
             return a;
         }
         let (p, q) = (self.info(a).sign, self.info(b).sign);

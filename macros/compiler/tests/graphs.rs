@@ -1,0 +1,94 @@
+//! The graph of unlike formulas, before and after: as written, and what is left for each stage.
+
+// Tests may stop at a failure; the compiler may not.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod support;
+
+use support::Case;
+use zeroset_compiler::front::front;
+use zeroset_compiler::graph::{Graph, Id, Op};
+use zeroset_compiler::lower::Lowering;
+use zeroset_compiler::stage::Staged;
+use zeroset_compiler::tree::Formula;
+
+/// A formula's graph and its root.
+fn lowered(formula: &Formula, graph: Graph) -> (Graph, Id) {
+    let mut lowering = Lowering::into_graph(formula, graph);
+    let root = lowering.root().unwrap();
+    (lowering.graph, root)
+}
+
+fn formula(source: &str) -> Formula {
+    front(source.parse().unwrap()).formula.unwrap()
+}
+
+/// How many operations, inputs left out.
+fn operations(graph: &Graph, roots: &[Id]) -> usize {
+    let ids = graph.reachable(roots, |_| false);
+    let works = |id: &&Id| !zeroset_compiler::graph::operands(graph.op(**id)).is_empty();
+    ids.iter().filter(works).count()
+}
+
+fn describe(case: &Case) -> String {
+    let formula = formula(&case.source);
+    let (plain, written) = lowered(&formula, Graph::as_written());
+    let (mut graph, root) = lowered(&formula, Graph::default());
+    let axes = [0, 1, 2].map(|axis| graph.input(Op::Coordinate(axis)));
+    let gradient = graph.gradient(root, &axes);
+    let space = [
+        ("f", root),
+        ("df/dx", gradient[0]),
+        ("df/dy", gradient[1]),
+        ("df/dz", gradient[2]),
+    ];
+    let text_of_space = graph.text(&space);
+    let staged = Staged::new(&mut graph, root);
+    let leaves: Vec<(String, Id)> = staged
+        .leaves
+        .iter()
+        .enumerate()
+        .map(|(k, leaf)| {
+            let kind = if leaf.quadratic {
+                "quadratic"
+            } else {
+                "linear"
+            };
+            (format!("leaf {k}, {kind}"), leaf.node)
+        })
+        .collect();
+    let leaves: Vec<(&str, Id)> = leaves
+        .iter()
+        .map(|(label, id)| (label.as_str(), *id))
+        .collect();
+    let jet = ["value", "slope", "curvature"];
+    let jet: Vec<(&str, Id)> = jet
+        .into_iter()
+        .zip(staged.jet.map(Option::unwrap))
+        .collect();
+    let count = |roots: &[(&str, Id)]| {
+        let ids: Vec<Id> = roots.iter().map(|r| r.1).collect();
+        operations(&graph, &ids)
+    };
+    let source = case
+        .source
+        .lines()
+        .fold(String::new(), |text, line| text + "    " + line + "\n");
+    format!(
+        "{source}\nAs written; operations: {}\n\n```text\n{}```\n\nf and its gradient; operations: {}\n\n```text\n{}```\n\n\
+         Leaves of the ray stage; operations: {}\n\n```text\n{}```\n\nThe segment stage; operations: {}\n\n```text\n{}```\n",
+        operations(&plain, &[written]),
+        plain.text(&[("f", written)]),
+        count(&space),
+        text_of_space,
+        count(&leaves),
+        graph.text(&leaves),
+        count(&jet),
+        graph.text(&jet),
+    )
+}
+
+#[test]
+fn before_and_after() {
+    support::check("graphs.md", describe);
+}
