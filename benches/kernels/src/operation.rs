@@ -63,7 +63,12 @@ operations! {
     Sin "sin" |p, _a, b| p.sin(b);
     Cos "cos" |p, _a, b| p.cos(b);
     Tan "tan" |p, a, _b| p.tan(a).0;
+    Asin "asin" |p, a, _b| p.asin(a).0;
+    Acos "acos" |p, a, _b| p.acos(a).0;
     Atan "atan" |p, _a, b| p.atan(b);
+    Atan2 "atan2" |p, a, b| p.atan2(a, b).0;
+    Cbrt "cbrt" |p, _a, b| p.cbrt(b);
+    Hypot "hypot" |p, a, b| p.hypot(a, b);
     Pow "pow" |p, a, b| p.pow(a, b).0;
     Tanh "tanh" |p, _a, b| p.tanh(b);
 }

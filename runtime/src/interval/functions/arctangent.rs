@@ -13,8 +13,9 @@
 //!   fused operations), 0.013 of the polynomial, and 0.06 of ρ·(1 − z) for ρ/(1 + z) with |ρ| ≤ 2u·q. Together below 0.32.
 //!   A unit in the last place of v is at least u·v ≥ 0.94·u·q, so v errs by less than one unit. Where v is a power of two,
 //!   the neighbour below is only u·v away, and then the last sum errs by half of that at most.
-//! * c > 0, as multiples of u: 0.4143 times the errors of t, the polynomial and ρ, and 0.016 for each of four roundings
-//!   below 2⁻⁵. Together below 0.16; v > 0.39, so half a unit in its last place is at least u/4.
+//! * c > 0, as multiples of u: 0.4143 times the errors of t, of the polynomial and of ρ (which is up to 4u·q for c = 1),
+//!   and 0.016 for each of four roundings below 2⁻⁵. Together below 0.18; v > 0.39, so half a unit in its last place is at
+//!   least u/4.
 //!
 //! So the neighbours of v enclose the angle at a point, with and without fused operations.
 
