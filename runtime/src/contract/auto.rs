@@ -2,8 +2,7 @@
 
 use super::{Contractor, Pieces, sealed::Sealed};
 use crate::interval::{Interval, Packet};
-use crate::solve::{Field, differentiable, excluded, nonzero};
-use crate::surface::Surface;
+use crate::solve::{Field, Solver, differentiable, excluded, nonzero};
 
 /// Steps from the front of T: for the first root, what lies there matters most.
 ///
@@ -12,18 +11,18 @@ use crate::surface::Surface;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Auto;
 
-impl Sealed for Auto {}
+impl Sealed for Auto {
+    fn solver<P: Packet>() -> Solver<P> {
+        Solver::default()
+    }
+}
 
 impl Contractor for Auto {
     const NAME: &'static str = "auto";
     const ORDER: u8 = 2;
 
     #[inline(always)]
-    fn contract<S: Surface, P: Packet>(
-        field: &mut Field<'_, S, P>,
-        t: &Interval<P::F>,
-        live: P::M,
-    ) -> Pieces<P> {
+    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
         let p = field.p;
         let mut pieces = Pieces::all(p, t);
         let f = field.value(t, live);
@@ -45,8 +44,8 @@ impl Contractor for Auto {
 /// for t − a < f(a)/−inf f'(T), and on all of T if inf f' ≥ 0. Where sup f' < 0, f falls strictly, and its sign at the
 /// other end decides: positive, no root; negative, exactly one.
 #[inline(always)]
-fn from_front<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn from_front<P: Packet>(
+    field: &mut Field<'_, P>,
     t: &Interval<P::F>,
     d: &Interval<P::F>,
     usable: P::M,

@@ -3,7 +3,6 @@
 use super::{Contractor, Pieces, sealed::Sealed};
 use crate::interval::{Interval, Packet};
 use crate::solve::{Field, excluded};
-use crate::surface::Surface;
 
 /// Excludes by range, and halves. It proves sign changes but never that a root is the only one, so hits are
 /// [`Crossing`](crate::verdict::Verdict::Crossing)s.
@@ -17,11 +16,7 @@ impl Contractor for Bisection {
     const ORDER: u8 = 0;
 
     #[inline(always)]
-    fn contract<S: Surface, P: Packet>(
-        field: &mut Field<'_, S, P>,
-        t: &Interval<P::F>,
-        live: P::M,
-    ) -> Pieces<P> {
+    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
         let p = field.p;
         let f = field.value(t, live);
         let mut pieces = Pieces::all(p, t);

@@ -3,7 +3,6 @@
 use super::{Around, Contractor, Pieces, middle, newton, sealed::Sealed, tightened};
 use crate::interval::{Interval, Packet};
 use crate::solve::{Field, differentiable, excluded, twice_differentiable};
-use crate::surface::Surface;
 
 /// Halley's step: what the quadratics f(m) + f'(m)δ + ½f''(T)δ² leave of T, with Newton's step for the proof that a root
 /// is the only one. It removes a neighbourhood of m even where 0 ∈ f'(T).
@@ -17,11 +16,7 @@ impl Contractor for Halley {
     const ORDER: u8 = 2;
 
     #[inline(always)]
-    fn contract<S: Surface, P: Packet>(
-        field: &mut Field<'_, S, P>,
-        t: &Interval<P::F>,
-        live: P::M,
-    ) -> Pieces<P> {
+    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
         let p = field.p;
         let f = field.curvature(t, live);
         let gone = excluded(p, &f.d[0], &f.flags, live);

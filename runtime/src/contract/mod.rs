@@ -2,7 +2,8 @@
 //!
 //! A contractor removes parts of a segment that certainly hold no root. Each has a file of its own, in which the
 //! mathematics stands as a plain function of enclosures; the trait [`Contractor`] wraps it with the evaluations that it
-//! needs, so that a surface pays only for the entry points that its solver uses.
+//! needs. A solver calls a surface's entry points as an object's: the default one is compiled with this crate, others
+//! where they are used.
 
 mod auto;
 mod bisection;
@@ -18,26 +19,33 @@ pub use tightened::{Tightened, slope_over as tightened_slope};
 
 use crate::interval::{Interval, Packet};
 use crate::solve::Field;
-use crate::surface::Surface;
 
 mod sealed {
+    use super::Contractor;
+    use crate::interval::Packet;
+    use crate::solve::Solver;
+
     /// A contractor's claims are proofs: they are this crate's own.
-    pub trait Sealed {}
+    pub trait Sealed {
+        /// The search with this contractor.
+        fn solver<P: Packet>() -> Solver<P>
+        where
+            Self: Contractor,
+        {
+            Solver::of::<Self>()
+        }
+    }
 }
 
 /// A way to shrink segments.
 pub trait Contractor: sealed::Sealed + Copy + Send + Sync + 'static {
     /// The name in reports.
     const NAME: &'static str;
-    /// The highest derivative that it evaluates. What it does not evaluate is not compiled.
+    /// The highest derivative that it evaluates.
     const ORDER: u8;
 
     /// What is left of the segments `t` of the lanes in `live`.
-    fn contract<S: Surface, P: Packet>(
-        field: &mut Field<'_, S, P>,
-        t: &Interval<P::F>,
-        live: P::M,
-    ) -> Pieces<P>;
+    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P>;
 }
 
 /// What is left of a segment T.

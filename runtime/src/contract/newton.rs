@@ -3,7 +3,6 @@
 use super::{Around, Contractor, Pieces, middle, sealed::Sealed};
 use crate::interval::{Interval, Packet};
 use crate::solve::{Field, differentiable, excluded};
-use crate::surface::Surface;
 
 /// Newton's step from the middle of T with f' over T; extended division leaves two pieces where 0 ∈ f'(T).
 #[derive(Clone, Copy, Debug, Default)]
@@ -16,11 +15,7 @@ impl Contractor for Newton {
     const ORDER: u8 = 1;
 
     #[inline(always)]
-    fn contract<S: Surface, P: Packet>(
-        field: &mut Field<'_, S, P>,
-        t: &Interval<P::F>,
-        live: P::M,
-    ) -> Pieces<P> {
+    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
         let p = field.p;
         let f = field.slope(t, live);
         let gone = excluded(p, &f.d[0], &f.flags, live);

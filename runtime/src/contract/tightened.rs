@@ -3,7 +3,6 @@
 use super::{Contractor, Pieces, middle, newton, sealed::Sealed};
 use crate::interval::{Interval, Packet};
 use crate::solve::{Enclosed, Field, differentiable, excluded, twice_differentiable};
-use crate::surface::Surface;
 
 /// Newton's step with f'(T) ∩ (f'(m) + f''(T)·(T − m)).
 #[derive(Clone, Copy, Debug, Default)]
@@ -16,11 +15,7 @@ impl Contractor for Tightened {
     const ORDER: u8 = 2;
 
     #[inline(always)]
-    fn contract<S: Surface, P: Packet>(
-        field: &mut Field<'_, S, P>,
-        t: &Interval<P::F>,
-        live: P::M,
-    ) -> Pieces<P> {
+    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
         let p = field.p;
         let f = field.curvature(t, live);
         let gone = excluded(p, &f.d[0], &f.flags, live);

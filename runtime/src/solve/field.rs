@@ -1,14 +1,29 @@
 //! The one place where a solver evaluates a surface: each entry point is a function of its own per instruction set,
 //! and is counted.
 
-use crate::interval::{At, Flags, Interval, Jet, Nearest, Packet, Routine};
-use crate::surface::Surface;
+use crate::interval::{At, Ball, Flags, Interval, Jet, Packet, Scalar};
 
-/// f along the rays of one packet.
-pub struct Field<'a, S: Surface, P: Packet> {
+/// A surface along the rays of one packet. An object, so that a solver is compiled once per instruction set, and not
+/// again for each surface: the call costs nothing beside an evaluation.
+pub(crate) trait Along<P: Packet> {
+    /// f over `t`.
+    fn value(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 1>;
+    /// f and f' over `t`.
+    fn slope(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 2>;
+    /// f, f' and f'' over `t`.
+    fn curvature(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 3>;
+    /// f at `t`.
+    fn point(&self, p: P, t: &At<P::F>) -> Enclosed<P, 1>;
+    /// f and f' at `t` in plain floats.
+    fn float(&self, p: P, t: &At<P::F>) -> [P::F; 2];
+    /// f at a point of space in twice the precision.
+    fn fine(&self, point: &[Ball; 3]) -> (Ball, Flags<Scalar>);
+}
+
+/// f along the rays of one packet, counted.
+pub struct Field<'a, P: Packet> {
     pub(crate) p: P,
-    pub(crate) prepared: &'a S::Prepared,
-    pub(crate) bound: &'a S::Bound<P>,
+    pub(crate) along: &'a dyn Along<P>,
     pub(crate) counts: &'a mut Evaluations,
 }
 
@@ -63,7 +78,12 @@ impl Evaluations {
     }
 }
 
-impl<S: Surface, P: Packet> Field<'_, S, P> {
+impl<'a, P: Packet> Field<'a, P> {
+    #[inline(always)]
+    pub(crate) fn new(p: P, along: &'a dyn Along<P>, counts: &'a mut Evaluations) -> Self {
+        Field { p, along, counts }
+    }
+
     /// How many lanes an evaluation serves.
     #[inline(always)]
     fn served(&self, live: P::M) -> u64 {
@@ -75,11 +95,7 @@ impl<S: Surface, P: Packet> Field<'_, S, P> {
     pub fn value(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1> {
         self.counts.value += self.served(live);
         self.counts.packets += 1;
-        self.p.call(Value::<S, P> {
-            prepared: self.prepared,
-            bound: self.bound,
-            t,
-        })
+        self.along.value(self.p, t)
     }
 
     /// f and f' over `t`.
@@ -87,11 +103,7 @@ impl<S: Surface, P: Packet> Field<'_, S, P> {
     pub fn slope(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 2> {
         self.counts.slope += self.served(live);
         self.counts.packets += 1;
-        self.p.call(Slope::<S, P> {
-            prepared: self.prepared,
-            bound: self.bound,
-            t,
-        })
+        self.along.slope(self.p, t)
     }
 
     /// f, f' and f'' over `t`.
@@ -99,11 +111,7 @@ impl<S: Surface, P: Packet> Field<'_, S, P> {
     pub fn curvature(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 3> {
         self.counts.curvature += self.served(live);
         self.counts.packets += 1;
-        self.p.call(Curvature::<S, P> {
-            prepared: self.prepared,
-            bound: self.bound,
-            t,
-        })
+        self.along.curvature(self.p, t)
     }
 
     /// f at `t`, enclosed.
@@ -111,11 +119,7 @@ impl<S: Surface, P: Packet> Field<'_, S, P> {
     pub fn point(&mut self, t: P::F, live: P::M) -> Enclosed<P, 1> {
         self.counts.point += self.served(live);
         self.counts.packets += 1;
-        self.p.call(Point::<S, P> {
-            prepared: self.prepared,
-            bound: self.bound,
-            t: &At(t),
-        })
+        self.along.point(self.p, &At(t))
     }
 
     /// f and f' at `t` in plain floats, without any guarantee.
@@ -123,11 +127,7 @@ impl<S: Surface, P: Packet> Field<'_, S, P> {
     pub fn float(&mut self, t: P::F, live: P::M) -> [P::F; 2] {
         self.counts.float += self.served(live);
         self.counts.packets += 1;
-        self.p.call(Float::<S, P> {
-            prepared: self.prepared,
-            bound: self.bound,
-            t: &At(t),
-        })
+        self.along.float(self.p, &At(t))
     }
 }
 
@@ -154,41 +154,4 @@ pub fn excluded<P: Packet>(p: P, f: &Interval<P::F>, flags: &Flags<P>, live: P::
 pub fn nonzero<P: Packet>(p: P, f: &Interval<P::F>) -> P::M {
     let zero = p.splat(0.0);
     p.or(p.lt(zero, f.lo), p.lt(f.hi, zero))
-}
-
-macro_rules! routine {
-    ($name:ident, $entry:ident, $t:ty, $out:ty) => {
-        struct $name<'a, S: Surface, P: Packet> {
-            prepared: &'a S::Prepared,
-            bound: &'a S::Bound<P>,
-            t: &'a $t,
-        }
-
-        impl<S: Surface, P: Packet> Routine<P> for $name<'_, S, P> {
-            type Output = $out;
-            #[inline(always)]
-            fn call(self, p: P) -> $out {
-                S::$entry(p, self.prepared, self.bound, *self.t)
-            }
-        }
-    };
-}
-
-routine!(Value, value, Interval<P::F>, Enclosed<P, 1>);
-routine!(Slope, slope, Interval<P::F>, Enclosed<P, 2>);
-routine!(Curvature, curvature, Interval<P::F>, Enclosed<P, 3>);
-routine!(Point, value, At<P::F>, Enclosed<P, 1>);
-
-struct Float<'a, S: Surface, P: Packet> {
-    prepared: &'a S::Prepared,
-    bound: &'a S::Bound<P>,
-    t: &'a At<P::F>,
-}
-
-impl<S: Surface, P: Packet> Routine<P> for Float<'_, S, P> {
-    type Output = [P::F; 2];
-    #[inline(always)]
-    fn call(self, p: P) -> [P::F; 2] {
-        S::slope(Nearest(p), self.prepared, self.bound, *self.t).d
-    }
 }

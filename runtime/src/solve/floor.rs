@@ -6,12 +6,11 @@ use super::tangent::{self, Ends};
 use super::{Brackets, Events, Field, differentiable, excluded, nonzero};
 use crate::contract::Contractor;
 use crate::interval::{Flags, Interval, Jet, Packet, Routine};
-use crate::surface::Surface;
 use crate::verdict::{Verdict, Why};
 
 /// The work on the lanes `stuck`, a routine of its own because it is rare.
-pub(crate) struct Stuck<'b, 'f, S: Surface, C, P: Packet> {
-    field: &'b mut Field<'f, S, P>,
+pub(crate) struct Stuck<'b, 'f, C, P: Packet> {
+    field: &'b mut Field<'f, P>,
     over: Interval<P::F>,
     t: Interval<P::F>,
     lanes: P::M,
@@ -29,10 +28,10 @@ pub(crate) struct Outcome<P: Packet> {
     pub behind: P::F,
 }
 
-impl<'b, 'f, S: Surface, C: Contractor, P: Packet> Stuck<'b, 'f, S, C, P> {
+impl<'b, 'f, C: Contractor, P: Packet> Stuck<'b, 'f, C, P> {
     /// `over` is the whole search, `t` where it is stuck, `shortest` the length from which on nothing is split.
     pub fn new(
-        field: &'b mut Field<'f, S, P>,
+        field: &'b mut Field<'f, P>,
         over: Interval<P::F>,
         t: Interval<P::F>,
         lanes: P::M,
@@ -57,7 +56,7 @@ struct Zone<P: Packet> {
     ends: Ends<P>,
 }
 
-impl<S: Surface, C: Contractor, P: Packet> Routine<P> for Stuck<'_, '_, S, C, P> {
+impl<C: Contractor, P: Packet> Routine<P> for Stuck<'_, '_, C, P> {
     type Output = Outcome<P>;
 
     #[inline(always)]
@@ -73,7 +72,7 @@ impl<S: Surface, C: Contractor, P: Packet> Routine<P> for Stuck<'_, '_, S, C, P>
         } = self;
         let zone = surround(field, &over, &t, lanes, shortest);
         let mut brackets = Brackets::none(p);
-        let f = enclose::<S, C, P>(field, &zone.t, lanes);
+        let f = enclose::<C, P>(field, &zone.t, lanes);
         let mut open = p.and_not(lanes, excluded(p, &f.d[0], &f.flags, lanes));
         let continuous = differentiable(p, &f.flags, open);
         let change = zone.ends.change(p);
@@ -130,8 +129,8 @@ fn zero<P: Packet>(p: P, f: &Interval<P::F>) -> P::M {
 
 /// Grows a neighbourhood of t by factors of four until f has a certain sign at both its ends, or the search ends there.
 #[inline(always)]
-fn surround<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn surround<P: Packet>(
+    field: &mut Field<'_, P>,
     over: &Interval<P::F>,
     t: &Interval<P::F>,
     lanes: P::M,
@@ -170,8 +169,8 @@ fn surround<S: Surface, P: Packet>(
 
 /// The enclosure of the highest order that the solver uses.
 #[inline(always)]
-fn enclose<S: Surface, C: Contractor, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn enclose<C: Contractor, P: Packet>(
+    field: &mut Field<'_, P>,
     t: &Interval<P::F>,
     lanes: P::M,
 ) -> super::Enclosed<P, 3> {

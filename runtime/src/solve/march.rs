@@ -4,7 +4,6 @@ use super::floor::{Outcome, Stuck};
 use super::{Brackets, Field, select};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Packet};
-use crate::surface::Surface;
 use crate::verdict::{Verdict, Why};
 
 /// What was met before the certain roots: rare, so lane by lane.
@@ -36,7 +35,7 @@ impl Events {
 
 /// Where a packet's rays are searched.
 #[derive(Clone, Copy)]
-pub(crate) struct Search<P: Packet> {
+pub(super) struct Range<P: Packet> {
     /// The segments; `lo ≥ 0`.
     pub over: Interval<P::F>,
     /// The rays that have one.
@@ -56,25 +55,25 @@ struct Front<P: Packet> {
 }
 
 /// Searches for the first root of each ray. Roots that are proved come back as brackets; what is open before them goes
-/// to `events`, and where the first ray's search went on to `cuts`. Each step asks the contractor for what is left of [front, back]: nothing, and the segment moves on and
-/// doubles; a bracket, and the ray is done; or a first piece, which is searched next, while the gap behind it is
-/// remembered. A segment too short to be split, or one whose front cannot be told from a root, is settled by
+/// to `events`, and where the first ray's search went on to `cuts`. Each step asks the contractor for what is left of
+/// [front, back]: nothing, and the segment moves on and doubles; a bracket, and the ray is done; or a first piece, which
+/// is searched next, while the gap behind it is remembered. A segment too short to be split, or one whose front cannot be told from a root, is settled by
 /// [`Stuck`].
 #[inline(always)]
-pub(crate) fn march<S: Surface, C: Contractor, P: Packet>(
-    field: &mut Field<'_, S, P>,
-    search: &Search<P>,
+pub(super) fn march<C: Contractor, P: Packet>(
+    field: &mut Field<'_, P>,
+    range: &Range<P>,
     events: &mut Events,
     mut cuts: Option<&mut Vec<f64>>,
 ) -> Brackets<P> {
     let p = field.p;
     let zero = p.splat(0.0);
-    let end = search.over.hi;
+    let end = range.over.hi;
     let shortest = p.mul_rn(end, p.splat(1.0 / (1u64 << 48) as f64));
-    let mut live = search.live;
+    let mut live = range.live;
     let mut found = Brackets::none(p);
     let mut at = Front::<P> {
-        front: search.over.lo,
+        front: range.over.lo,
         back: end,
         gap: Interval {
             lo: p.splat(-1.0),
@@ -117,17 +116,17 @@ pub(crate) fn march<S: Surface, C: Contractor, P: Packet>(
                 lo: at.front,
                 hi: near,
             };
-            let job = Stuck::<S, C, P>::new(field, search.over, t, stuck, shortest, events);
+            let job = Stuck::<C, P>::new(field, range.over, t, stuck, shortest, events);
             let outcome = p.call(job);
             live = at.settle(p, end, live, stuck, &outcome, &mut found);
-            if search.first_only {
+            if range.first_only {
                 live = p.and_not(live, p.and(stuck, outcome.crossed));
             }
         }
         if let Some(cuts) = &mut cuts {
             cuts.push(p.to_array(at.front)[0]);
         }
-        if field.counts.packets > search.limit {
+        if field.counts.packets > range.limit {
             give_up(p, live, at.front, end, events);
             break;
         }
@@ -182,7 +181,7 @@ impl<P: Packet> Front<P> {
 /// The budget is spent: all the rest is open.
 #[cold]
 #[inline(never)]
-fn give_up<P: Packet>(p: P, live: P::M, front: P::F, end: P::F, events: &mut Events) {
+pub(super) fn give_up<P: Packet>(p: P, live: P::M, front: P::F, end: P::F, events: &mut Events) {
     let (front, end) = (p.to_array(front), p.to_array(end));
     let live = p.bits(live);
     for lane in 0..8 {

@@ -1,6 +1,7 @@
 //! From contractors to verdicts: the first root along each ray of a packet, or all roots along one ray.
 
 mod field;
+mod first;
 mod floor;
 mod march;
 mod quadric;
@@ -8,13 +9,16 @@ mod refine;
 mod sharpen;
 mod tangent;
 
+pub(crate) use field::Along;
 pub use field::{
     Enclosed, Evaluations, Field, differentiable, excluded, nonzero, twice_differentiable,
 };
-pub(crate) use march::{Events, Search, march};
+pub(crate) use first::{Job, Roots, Solver};
+pub(crate) use march::Events;
 pub(crate) use quadric::closed_form;
-pub(crate) use refine::Refine;
-pub(crate) use sharpen::{Line, WIDE, sharpen};
+pub(crate) use sharpen::{WIDE, Wide};
+
+use refine::Refine;
 
 use crate::interval::{Interval, Packet};
 

@@ -3,7 +3,6 @@
 use super::{Brackets, Field, nonzero, select};
 use crate::contract::middle;
 use crate::interval::{Interval, Packet, Routine};
-use crate::surface::Surface;
 
 /// How wide a root's interval may be: 64 ulp of t, at most 5e-13, and not below what four ulp of t permit.
 #[inline(always)]
@@ -17,13 +16,13 @@ fn goal<P: Packet>(p: P, t: &Interval<P::F>) -> P::F {
 }
 
 /// [`refine`] as a routine of its own, which all solvers of a surface share.
-pub(crate) struct Refine<'b, 'f, S: Surface, P: Packet> {
-    pub field: &'b mut Field<'f, S, P>,
+pub(crate) struct Refine<'b, 'f, P: Packet> {
+    pub field: &'b mut Field<'f, P>,
     pub brackets: &'b Brackets<P>,
     pub plain_convergence: bool,
 }
 
-impl<S: Surface, P: Packet> Routine<P> for Refine<'_, '_, S, P> {
+impl<P: Packet> Routine<P> for Refine<'_, '_, P> {
     type Output = Interval<P::F>;
 
     #[inline(always)]
@@ -35,8 +34,8 @@ impl<S: Surface, P: Packet> Routine<P> for Refine<'_, '_, S, P> {
 /// Encloses the root of each bracket. What comes out is always a part of the bracket that holds the root; how narrow it
 /// gets depends on the noise of f alone.
 #[inline(always)]
-fn refine<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn refine<P: Packet>(
+    field: &mut Field<'_, P>,
     brackets: &Brackets<P>,
     plain_convergence: bool,
 ) -> Interval<P::F> {
@@ -71,11 +70,7 @@ fn refine<S: Surface, P: Packet>(
 /// Plain Newton from `x`, kept inside the bracket by the signs that it sees. Nothing that it does can be wrong: its
 /// result is only a place to look.
 #[inline(always)]
-fn converge<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
-    brackets: &Brackets<P>,
-    x: P::F,
-) -> P::F {
+fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F) -> P::F {
     let p = field.p;
     let zero = p.splat(0.0);
     let Interval { mut lo, mut hi } = brackets.t;
@@ -129,8 +124,8 @@ fn width<P: Packet>(p: P, t: &Interval<P::F>) -> P::F {
 }
 
 /// The lanes for which one image was not enough: a routine of its own because it is rare.
-struct Narrow<'b, 'f, 's, S: Surface, P: Packet> {
-    field: &'b mut Field<'f, S, P>,
+struct Narrow<'b, 'f, 's, P: Packet> {
+    field: &'b mut Field<'f, P>,
     brackets: &'s Brackets<P>,
     root: &'s Interval<P::F>,
     x: P::F,
@@ -138,7 +133,7 @@ struct Narrow<'b, 'f, 's, S: Surface, P: Packet> {
     wide: P::M,
 }
 
-impl<S: Surface, P: Packet> Routine<P> for Narrow<'_, '_, '_, S, P> {
+impl<P: Packet> Routine<P> for Narrow<'_, '_, '_, P> {
     type Output = Interval<P::F>;
 
     #[inline(always)]
@@ -160,8 +155,8 @@ impl<S: Surface, P: Packet> Routine<P> for Narrow<'_, '_, '_, S, P> {
 
 /// Newton images with f' over what is left, while each at least halves it.
 #[inline(always)]
-fn by_images<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn by_images<P: Packet>(
+    field: &mut Field<'_, P>,
     root: &mut Interval<P::F>,
     x: P::F,
     goal: P::F,
@@ -190,8 +185,8 @@ fn by_images<S: Surface, P: Packet>(
 
 /// Where f has a certain sign at `x`, one end of the bracket moves there.
 #[inline(always)]
-fn cut<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn cut<P: Packet>(
+    field: &mut Field<'_, P>,
     rising: P::M,
     root: &mut Interval<P::F>,
     x: P::F,
@@ -211,8 +206,8 @@ fn cut<S: Surface, P: Packet>(
 
 /// Signs on both sides of `x`, at growing distances.
 #[inline(always)]
-fn by_signs<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn by_signs<P: Packet>(
+    field: &mut Field<'_, P>,
     brackets: &Brackets<P>,
     root: &mut Interval<P::F>,
     x: P::F,
@@ -244,8 +239,8 @@ fn by_signs<S: Surface, P: Packet>(
 
 /// Bisection by certain signs, until f's noise hides the sign in the middle.
 #[inline(always)]
-fn bisect<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+fn bisect<P: Packet>(
+    field: &mut Field<'_, P>,
     brackets: &Brackets<P>,
     root: &mut Interval<P::F>,
     goal: P::F,

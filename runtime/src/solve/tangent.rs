@@ -3,7 +3,6 @@
 use super::{Brackets, Enclosed, Field, nonzero, select, twice_differentiable};
 use crate::contract::middle;
 use crate::interval::{Interval, Packet};
-use crate::surface::Surface;
 
 /// f at the two ends of a segment.
 #[derive(Clone, Copy)]
@@ -54,8 +53,8 @@ pub(crate) struct Found<P: Packet> {
 ///   end is negative.
 /// - 0 ∈ f(C), r = max |f(C)|: at a root t, 0 = f(t) ≥ f(c) + ½·min f''·(t − c)², so |t − c| ≤ √(2r/min f'').
 #[inline(always)]
-pub(crate) fn tangent<S: Surface, P: Packet>(
-    field: &mut Field<'_, S, P>,
+pub(crate) fn tangent<P: Packet>(
+    field: &mut Field<'_, P>,
     t: &Interval<P::F>,
     f: &Enclosed<P, 3>,
     ends: &Ends<P>,

@@ -1,5 +1,6 @@
 //! A surface's kernels: what a scene runs per tile, and what a program runs for one ray.
 
+mod entries;
 mod normals;
 mod roots;
 mod tile;
@@ -8,16 +9,13 @@ pub(crate) use normals::NormalsOfTile;
 pub(crate) use roots::{AlongRay, Trail};
 pub(crate) use tile::TraceTile;
 
-use crate::contract::Contractor;
-use core::marker::PhantomData;
-
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};
 use crate::solve::{
-    Brackets, Events, Field, Line, Refine, Search, Settings, WIDE, closed_form, march, select,
-    sharpen,
+    Evaluations, Events, Field, Job, Roots, Settings, Solver, WIDE, Wide, closed_form, select,
 };
 use crate::surface::{Active, Surface};
+use entries::Entries;
 
 /// The ray stage, a function of its own.
 struct Bind<'a, S: Surface, P: Packet> {
@@ -35,17 +33,15 @@ impl<S: Surface, P: Packet> Routine<P> for Bind<'_, S, P> {
     }
 }
 
-/// The first certain roots of a packet.
-struct Roots<P: Packet> {
-    hit: P::M,
-    t: Interval<P::F>,
-    resume: P::F,
+/// A surface bound to the rays of one packet, and the count of its evaluations.
+struct OnRays<'a, S: Surface, P: Packet> {
+    entries: Entries<'a, S, P>,
+    counts: &'a mut Evaluations,
 }
 
-/// The first root of each live ray in `over`: by closed form where there is one, by the march otherwise. A function of
-/// its own, which tiles and single rays share.
-struct FirstRoots<'b, 'f, S: Surface, C, P: Packet> {
-    field: &'b mut Field<'f, S, P>,
+/// The first root of each live ray in `over`: by closed form where there is one, by a solver otherwise.
+struct FirstRoots<'b, 'f, S: Surface, P: Packet> {
+    surface: &'b mut OnRays<'f, S, P>,
     settings: &'b Settings,
     lines: &'b Lines,
     entry: P::F,
@@ -55,106 +51,72 @@ struct FirstRoots<'b, 'f, S: Surface, C, P: Packet> {
     events: &'b mut Events,
     /// Where the first ray's search went on, for those who keep account.
     cuts: Option<&'b mut Vec<f64>>,
-    solver: PhantomData<C>,
+    solver: Solver<P>,
 }
 
-impl<S: Surface, C: Contractor, P: Packet> Routine<P> for FirstRoots<'_, '_, S, C, P> {
-    type Output = Roots<P>;
-
+impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
     #[inline(always)]
-    fn call(mut self, p: P) -> Roots<P> {
+    fn find(mut self, p: P) -> Roots<P> {
         let mut roots = self.found(p);
         let width = p.sub_ru(roots.t.hi, roots.t.lo);
         let wide = p.and(roots.hit, p.lt(p.splat(WIDE), width));
         if p.any(wide) {
-            self.sharpened(p, p.bits(wide), &mut roots);
+            let OnRays { entries, counts } = self.surface;
+            let wide = Wide {
+                field: Field::new(p, entries, counts),
+                lines: self.lines,
+                entry: self.entry,
+                lanes: p.bits(wide),
+            };
+            self.solver.sharpen(wide, &mut roots.t);
         }
         roots
-    }
-}
-
-impl<S: Surface, C: Contractor, P: Packet> FirstRoots<'_, '_, S, C, P> {
-    /// Twice the precision for the lanes of `wide`.
-    #[cold]
-    fn sharpened(&mut self, p: P, wide: u8, roots: &mut Roots<P>) {
-        let entry = p.to_array(self.entry);
-        let (mut lo, mut hi) = (p.to_array(roots.t.lo), p.to_array(roots.t.hi));
-        for lane in (0..8).filter(|lane| wide >> lane & 1 != 0) {
-            let line = Line {
-                origin: [0, 1, 2].map(|k| self.lines.origin[k][lane]),
-                direction: [0, 1, 2].map(|k| self.lines.direction[k][lane]),
-                entry: entry[lane],
-            };
-            let root = Interval {
-                lo: lo[lane],
-                hi: hi[lane],
-            };
-            let root = sharpen::<S>(
-                self.field.prepared,
-                &line,
-                root,
-                &mut self.field.counts.fine,
-            );
-            (lo[lane], hi[lane]) = (root.lo, root.hi);
-        }
-        roots.t = Interval {
-            lo: p.lanes(lo),
-            hi: p.lanes(hi),
-        };
     }
 
     #[inline(always)]
     fn found(&mut self, p: P) -> Roots<P> {
-        let FirstRoots {
-            field,
-            settings,
-            over,
-            events,
-            cuts,
-            first_only,
-            ..
-        } = self;
-        let (over, first_only) = (*over, *first_only);
         let mut live = self.live;
-        let mut roots = Roots {
-            hit: p.mask(0),
-            t: *over,
-            resume: over.hi,
-        };
-        if settings.closed_forms
-            && let Some(leaf) = S::quadric(field.bound)
+        let mut closed = None;
+        if self.settings.closed_forms
+            && let Some(leaf) = S::quadric(self.surface.entries.bound)
         {
-            let first = closed_form(p, leaf, live).first_in(p, leaf, over);
-            roots = Roots {
+            let first = closed_form(p, leaf, live).first_in(p, leaf, self.over);
+            let roots = Roots {
                 hit: p.and(live, first.hit),
                 t: first.root,
                 resume: first.resume,
             };
             let decided = p.and(live, first.decided);
-            field.counts.closed += u64::from(p.bits(decided).count_ones());
+            self.surface.counts.closed += u64::from(p.bits(decided).count_ones());
             live = p.and_not(live, decided);
             if !p.any(live) {
                 return roots;
             }
+            closed = Some(roots);
         }
-        let limit = field.counts.packets + u64::from(settings.budget);
-        let search = Search {
-            over: *over,
+        let found = self.searched(p, live);
+        match closed {
+            None => found,
+            Some(roots) => Roots {
+                hit: p.or(roots.hit, found.hit),
+                t: select(p, found.hit, &found.t, &roots.t),
+                resume: p.select(found.hit, found.resume, roots.resume),
+            },
+        }
+    }
+
+    /// What the solver finds for the rays of `live`.
+    #[inline(always)]
+    fn searched(&mut self, p: P, live: P::M) -> Roots<P> {
+        let OnRays { entries, counts } = &mut *self.surface;
+        self.solver.search(Job {
+            field: Field::new(p, entries, counts),
+            settings: self.settings,
+            over: self.over,
             live,
-            limit,
-            first_only,
-        };
-        let found: Brackets<P> = march::<S, C, P>(field, &search, events, cuts.as_deref_mut());
-        if p.any(found.found) {
-            let t = p.call(Refine {
-                field,
-                brackets: &found,
-                plain_convergence: settings.plain_convergence,
-            });
-            roots.t = select(p, found.found, &t, &roots.t);
-            roots.resume = p.select(found.found, found.resume, roots.resume);
-            roots.hit = p.or(roots.hit, found.found);
-        }
-        roots
+            first_only: self.first_only,
+            events: self.events,
+            cuts: self.cuts.as_deref_mut(),
+        })
     }
 }

@@ -2,12 +2,12 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, FirstRoots};
+use super::{Bind, Entries, FirstRoots, OnRays};
 use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Lines, Rays, clip};
-use crate::solve::{Evaluations, Events, Field, Settings};
+use crate::solve::{Evaluations, Events, Settings};
 use crate::surface::Surface;
 use crate::verdict::Verdict;
 
@@ -61,21 +61,23 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             active: &active,
             bound: &mut bound,
         });
-        let mut field = Field::<S, P> {
-            p,
-            prepared: self.prepared,
-            bound: &bound,
+        let mut surface = OnRays {
+            entries: Entries::<S, P> {
+                prepared: self.prepared,
+                bound: &bound,
+            },
             counts: &mut counts,
         };
         let mut events = Events::default();
+        let solver = C::solver();
         let mut over = Interval {
             lo: p.splat(0.0),
             hi: length,
         };
         let one = p.mask(1);
         loop {
-            let job = FirstRoots::<S, C, P> {
-                field: &mut field,
+            let job = FirstRoots::<S, P> {
+                surface: &mut surface,
                 settings: self.settings,
                 lines: &lines,
                 entry: span.near,
@@ -84,9 +86,9 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
                 first_only: self.first_only,
                 events: &mut events,
                 cuts: Some(&mut trail.cuts),
-                solver: PhantomData,
+                solver,
             };
-            let roots = p.call(job);
+            let roots = job.find(p);
             for verdict in &events.of[0] {
                 verdict.append(&mut trail.events);
             }

@@ -2,12 +2,12 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, FirstRoots};
+use super::{Bind, Entries, FirstRoots, OnRays};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
 use crate::render::tile::{Event, PacketRays, Tile};
-use crate::solve::{Events, Field, Settings};
+use crate::solve::{Events, Settings};
 use crate::surface::Surface;
 use crate::verdict::Verdict;
 
@@ -57,6 +57,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
         let mut bound = S::unbound(p);
         let mut events = Events::default();
         let own = (*domain != tile.domain).then_some(domain);
+        let solver = C::solver();
         for (number, packet) in tile.packets.iter_mut().enumerate() {
             let (over, live) = segment(p, packet, own);
             if !p.any(live) {
@@ -70,14 +71,15 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
                 active: &active,
                 bound: &mut bound,
             });
-            let mut field = Field::<S, P> {
-                p,
-                prepared,
-                bound: &bound,
+            let mut surface = OnRays {
+                entries: Entries::<S, P> {
+                    prepared,
+                    bound: &bound,
+                },
                 counts: &mut tile.counts,
             };
-            let job = FirstRoots::<S, C, P> {
-                field: &mut field,
+            let job = FirstRoots::<S, P> {
+                surface: &mut surface,
                 settings,
                 lines: &packet.lines,
                 entry: p.lanes(packet.record.entry),
@@ -86,9 +88,9 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
                 first_only: true,
                 events: &mut events,
                 cuts: None,
-                solver: PhantomData,
+                solver,
             };
-            let roots = p.call(job);
+            let roots = job.find(p);
             keep(p, packet, roots.hit, &roots.t, index);
             if events.touched != 0 {
                 collect(packet, number as u16, index, &mut events, &mut tile.events);

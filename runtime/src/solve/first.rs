@@ -1,0 +1,179 @@
+//! The first root of each ray: the march, and what makes its brackets narrow.
+
+use core::any::Any;
+use core::marker::PhantomData;
+
+use super::march::{Range, give_up, march};
+use super::sharpen::{Wide, sharpen};
+use super::{Events, Field, Refine, Settings, select};
+use crate::contract::{Auto, Contractor};
+#[cfg(feature = "unrounded")]
+use crate::interval::ToNearest;
+#[cfg(target_arch = "x86_64")]
+use crate::interval::{Avx2, Avx512};
+use crate::interval::{Interval, Packet, Portable, Routine};
+
+/// Where to search a packet's rays.
+pub(crate) struct Job<'b, P: Packet> {
+    pub field: Field<'b, P>,
+    pub settings: &'b Settings,
+    /// The segments; `lo ≥ 0`.
+    pub over: &'b Interval<P::F>,
+    /// The rays that have one.
+    pub live: P::M,
+    /// Is a sign change enough to end a ray's search?
+    pub first_only: bool,
+    /// What is met before the roots.
+    pub events: &'b mut Events,
+    /// Where the first ray's search goes on, for those who keep account.
+    pub cuts: Option<&'b mut Vec<f64>>,
+}
+
+/// The first certain roots of a packet.
+pub(crate) struct Roots<P: Packet> {
+    pub hit: P::M,
+    pub t: Interval<P::F>,
+    /// A search for the next goes on here.
+    pub resume: P::F,
+}
+
+/// A contractor's search on one instruction set.
+#[derive(Clone, Copy)]
+pub struct Solver<P: Packet> {
+    search: fn(Job<'_, P>) -> Roots<P>,
+    sharpen: fn(Wide<'_, P>, &mut Interval<P::F>),
+}
+
+impl<P: Packet> Solver<P> {
+    /// With the contractor `C`, compiled in the crate that asks for it.
+    pub(crate) const fn of<C: Contractor>() -> Self {
+        Solver {
+            search: search::<C, P>,
+            sharpen,
+        }
+    }
+
+    /// With [`Auto`], compiled here.
+    pub(crate) fn default() -> Self {
+        let ready = DEFAULT.iter().find_map(|solver| solver.downcast_ref());
+        // All back-ends are listed; one that were not would find nothing, and claim nothing.
+        ready.copied().unwrap_or(Solver {
+            search: unsearched,
+            sharpen: |_, _| {},
+        })
+    }
+
+    /// The first root of each ray.
+    #[inline(always)]
+    pub(crate) fn search(self, job: Job<'_, P>) -> Roots<P> {
+        (self.search)(job)
+    }
+
+    /// Narrows roots in twice the precision.
+    #[inline(always)]
+    pub(crate) fn sharpen(self, wide: Wide<'_, P>, t: &mut Interval<P::F>) {
+        (self.sharpen)(wide, t);
+    }
+}
+
+/// Lists the back-ends.
+macro_rules! compiled {
+    ($($(#[$condition:meta])* $token:ty;)*) => {
+        /// Generic functions are compiled in the crate that names their types. Here they are named for the default
+        /// solver, so that a surface's crate compiles nothing of it.
+        static DEFAULT: &[&(dyn Any + Send + Sync)] =
+            &[$($(#[$condition])* &Solver::<$token>::of::<Auto>()),*];
+    };
+}
+
+compiled! {
+    #[cfg(target_arch = "x86_64")]
+    Avx512;
+    #[cfg(target_arch = "x86_64")]
+    Avx2;
+    Portable;
+    #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
+    Avx512<ToNearest>;
+    #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
+    Avx2<ToNearest>;
+    #[cfg(feature = "unrounded")]
+    Portable<ToNearest>;
+}
+
+fn search<C: Contractor, P: Packet>(job: Job<'_, P>) -> Roots<P> {
+    job.field.p.call(Search::<C, P> {
+        job,
+        solver: PhantomData,
+    })
+}
+
+/// Leaves everything open.
+fn unsearched<P: Packet>(job: Job<'_, P>) -> Roots<P> {
+    let p = job.field.p;
+    give_up(p, job.live, job.over.lo, job.over.hi, job.events);
+    Roots {
+        hit: p.none(),
+        t: *job.over,
+        resume: job.over.hi,
+    }
+}
+
+/// [`search`] inside the instruction set.
+struct Search<'b, C, P: Packet> {
+    job: Job<'b, P>,
+    solver: PhantomData<C>,
+}
+
+impl<C: Contractor, P: Packet> Routine<P> for Search<'_, C, P> {
+    type Output = Roots<P>;
+
+    #[inline(always)]
+    fn call(self, p: P) -> Roots<P> {
+        let mut job = self.job;
+        let range = Range {
+            over: *job.over,
+            live: job.live,
+            limit: job.field.counts.packets + u64::from(job.settings.budget),
+            first_only: job.first_only,
+        };
+        let found = march::<C, P>(&mut job.field, &range, job.events, job.cuts);
+        let mut roots = Roots {
+            hit: found.found,
+            t: *job.over,
+            resume: job.over.hi,
+        };
+        if p.any(found.found) {
+            let t = p.call(Refine {
+                field: &mut job.field,
+                brackets: &found,
+                plain_convergence: job.settings.plain_convergence,
+            });
+            roots.t = select(p, found.found, &t, &roots.t);
+            roots.resume = p.select(found.found, found.resume, roots.resume);
+        }
+        roots
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DEFAULT, Solver};
+    use crate::interval::{Isa, Kernel, Packet};
+
+    struct Listed;
+
+    impl Kernel for Listed {
+        type Output = bool;
+        fn run<P: Packet>(self, _: P) -> bool {
+            DEFAULT.iter().any(|solver| solver.is::<Solver<P>>())
+        }
+    }
+
+    #[test]
+    fn every_back_end_has_its_default_solver_compiled() {
+        for isa in Isa::available() {
+            assert!(isa.run(Listed), "{isa}");
+        }
+        assert!(!Listed.run(crate::interval::Scalar));
+    }
+}
