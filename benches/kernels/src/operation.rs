@@ -2,13 +2,14 @@
 
 use zeroset::interval::{Interval, Packet, Parameter, Quadratic};
 
-use crate::{Data, load};
+use crate::data::{Row, load};
 
-/// Declares the operations and their loops.
+/// Declares the operations and their loops, with names for the token and the three operands.
 macro_rules! operations {
-    ($($variant:ident $name:literal |$p:ident, $a:ident, $b:ident| $body:expr;)*) => {
+    ($p:ident $a:ident $b:ident $c:ident; $($variant:ident $name:literal $body:expr;)*) => {
         /// A timed operation.
-        #[derive(Clone, Copy)]
+        #[allow(missing_docs)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Operation {
             $($variant,)*
         }
@@ -27,14 +28,15 @@ macro_rules! operations {
 
         /// The operation on each packet of operands.
         #[inline(always)]
-        pub fn for_each<P: Packet>(p: P, operation: Operation, packets: usize, data: &mut Data) {
+        pub fn for_each<P: Packet>(p: P, operation: Operation, rows: &mut [Row]) {
             match operation {
                 $(Operation::$variant => {
-                    for i in 0..packets {
-                        let ($p, $a, $b) = (p, load(p, &data.a, 8 * i), load(p, &data.b, 8 * i));
+                    for row in rows {
+                        #[allow(unused_variables)]
+                        let ($p, $a, $b, $c) =
+                            (p, load(p, &row.a), load(p, &row.b), load(p, &row.c));
                         let y: Interval<P::F> = $body;
-                        data.out[0][8 * i..8 * i + 8].copy_from_slice(&p.to_array(y.lo));
-                        data.out[1][8 * i..8 * i + 8].copy_from_slice(&p.to_array(y.hi));
+                        row.out = [p.to_array(y.lo), p.to_array(y.hi)];
                     }
                 })*
             }
@@ -43,32 +45,44 @@ macro_rules! operations {
 }
 
 operations! {
-    Copy "copy" |_p, _a, b| b;
-    Add "add" |p, a, b| p.add(a, b);
-    Mul "mul" |p, a, b| p.mul(a, b);
-    MulPos "mul_pos" |p, a, b| p.mul_pos(a, b);
-    MulPosPos "mul_pos_pos" |p, a, _b| p.mul_pos_pos(a, a);
-    Sqr "sqr" |p, _a, b| p.sqr(b);
-    Powi6 "powi6" |p, _a, b| p.powi(b, 6);
-    Div "div" |p, a, b| p.div(b, a).0;
-    Recip "recip" |p, a, _b| p.recip(a).0;
-    Sqrt "sqrt" |p, a, _b| p.sqrt(a).0;
-    QuadraticLeaf "quadratic" |p, a, b| {
+    p a b c;
+    Copy "copy" b;
+    Add "add" p.add(a, b);
+    Sub "sub" p.sub(a, b);
+    Mul "mul" p.mul(a, b);
+    MulPos "mul_pos" p.mul_pos(c, b);
+    MulPosPos "mul_pos_pos" p.mul_pos_pos(c, c);
+    Sqr "sqr" p.sqr(b);
+    Powi6 "powi6" p.powi(b, 6);
+    Div "div" p.div(a, b).0;
+    Recip "recip" p.recip(b).0;
+    Sqrt "sqrt" p.sqrt(c).0;
+    Hypot "hypot" p.hypot(a, b);
+    QuadraticLeaf "quadratic" {
         let low = p.splat(-8.0);
-        let leaf = Quadratic { c0: b, c1: a, c2: b, low, high: p.splat(8.0), bottom: a, top: b };
-        a.quadratic(p, &leaf)
+        let leaf = Quadratic { c0: b, c1: c, c2: b, low, high: p.splat(8.0), bottom: c, top: b };
+        c.quadratic(p, &leaf)
     };
-    Exp "exp" |p, _a, b| p.exp(b);
-    Ln "ln" |p, a, _b| p.ln(a).0;
-    Sin "sin" |p, _a, b| p.sin(b);
-    Cos "cos" |p, _a, b| p.cos(b);
-    Tan "tan" |p, a, _b| p.tan(a).0;
-    Asin "asin" |p, a, _b| p.asin(a).0;
-    Acos "acos" |p, a, _b| p.acos(a).0;
-    Atan "atan" |p, _a, b| p.atan(b);
-    Atan2 "atan2" |p, a, b| p.atan2(a, b).0;
-    Cbrt "cbrt" |p, _a, b| p.cbrt(b);
-    Hypot "hypot" |p, a, b| p.hypot(a, b);
-    Pow "pow" |p, a, b| p.pow(a, b).0;
-    Tanh "tanh" |p, _a, b| p.tanh(b);
+    Exp "exp" p.exp(b);
+    Exp2 "exp2" p.exp2(b);
+    ExpM1 "exp_m1" p.exp_m1(b);
+    Ln "ln" p.ln(c).0;
+    Ln1p "ln_1p" p.ln_1p(c).0;
+    Log2 "log2" p.log2(c).0;
+    Log10 "log10" p.log10(c).0;
+    Sin "sin" p.sin(b);
+    Cos "cos" p.cos(b);
+    Tan "tan" p.tan(c).0;
+    Asin "asin" p.asin(c).0;
+    Acos "acos" p.acos(c).0;
+    Atan "atan" p.atan(b);
+    Atan2 "atan2" p.atan2(a, b).0;
+    Sinh "sinh" p.sinh(b);
+    Cosh "cosh" p.cosh(b);
+    Tanh "tanh" p.tanh(b);
+    Asinh "asinh" p.asinh(b);
+    Acosh "acosh" p.acosh(p.recip(c).0).0;
+    Atanh "atanh" p.atanh(c).0;
+    Cbrt "cbrt" p.cbrt(b);
+    Pow "pow" p.pow(c, b).0;
 }

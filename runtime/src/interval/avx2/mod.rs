@@ -279,6 +279,14 @@ impl<R: Rounding> Lanes for Avx2<R> {
         self.up_guarded(self.mul_rn(a, b))
     }
     #[inline(always)]
+    fn mul_nonneg_rd(self, a: Pair, b: Pair) -> Pair {
+        self.max_f(self.down_nonneg(self.mul_rn(a, b)), self.splat(0.0))
+    }
+    #[inline(always)]
+    fn mul_nonneg_ru(self, a: Pair, b: Pair) -> Pair {
+        self.max_f(self.up_nonneg(self.mul_rn(a, b)), self.splat(0.0))
+    }
+    #[inline(always)]
     fn div_rd(self, a: Pair, b: Pair) -> Pair {
         self.down_guarded(self.div_rn(a, b))
     }

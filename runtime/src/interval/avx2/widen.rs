@@ -96,6 +96,32 @@ impl<R: Rounding> Avx2<R> {
         both!(_mm256_fmadd_pd(self.size(x), self.splat(PHI * R::SCALE), x))
     }
 
+    /// As [`down_guarded`](Self::down_guarded), of x ≥ 0 or NaN, which stays one.
+    #[inline(always)]
+    pub(super) fn down_nonneg(self, x: Pair) -> Pair {
+        if !R::ON {
+            return x;
+        }
+        let x = self.not_above(x);
+        both!(_mm256_fnmadd_pd(
+            self.raised(x),
+            self.splat(PHI * R::SCALE),
+            x
+        ))
+    }
+    /// As [`up_guarded`](Self::up_guarded), of x ≥ 0 or NaN: there is no overflow on the lower side.
+    #[inline(always)]
+    pub(super) fn up_nonneg(self, x: Pair) -> Pair {
+        if !R::ON {
+            return x;
+        }
+        both!(_mm256_fmadd_pd(
+            self.raised(x),
+            self.splat(PHI * R::SCALE),
+            x
+        ))
+    }
+
     /// min(x, MAX). MAX is the first operand so that a NaN stays one.
     #[inline(always)]
     fn not_above(self, x: Pair) -> Pair {
@@ -114,14 +140,18 @@ impl<R: Rounding> Avx2<R> {
             x
         }
     }
-    /// |x| raised to 2⁻¹⁰²¹, so that the step is never less than 2⁻¹⁰⁷⁴. A bound of 0 therefore moves too.
+    /// |x| raised to 2⁻¹⁰²¹.
     #[inline(always)]
     fn size(self, x: Pair) -> Pair {
-        let size = self.abs_f(x);
+        self.raised(self.abs_f(x))
+    }
+    /// x ≥ 0 raised to 2⁻¹⁰²¹, so that the step is never less than 2⁻¹⁰⁷⁴. A bound of 0 therefore moves too.
+    #[inline(always)]
+    fn raised(self, x: Pair) -> Pair {
         if R::GUARDED {
-            both!(_mm256_max_pd(size, self.splat(GUARD)))
+            both!(_mm256_max_pd(x, self.splat(GUARD)))
         } else {
-            size
+            x
         }
     }
 }

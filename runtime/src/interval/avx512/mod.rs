@@ -297,22 +297,23 @@ impl<R: Rounding> Lanes for Avx512<R> {
 }
 
 impl<R: Rounding> Enclose for Avx512<R> {
-    /// The provided product, with one test for NaN where that needs two: a product rounded up is NaN where the same
-    /// product rounded down is.
+    /// Four products. For one number y, the least x·y over x ∈ a is that of a.lo where y ≥ 0, else that of a.hi; it is
+    /// concave in y, so the least of all is at a bound of b. The greatest alike.
+    ///
+    /// NaN is 0·∞ and means 0. `min_f` and `max_f` drop it in their first operand, and are right to: with y = b.lo it
+    /// comes of y = −∞ and a zero bound of a, or of y = 0 and an infinite one, and either way the product of the other
+    /// bound of b (mended) is 0, or on the far side of it. −0 ≥ 0, as it must be: by its sign bit it would take the other
+    /// bound of a.
     #[inline(always)]
     fn i_mul(self, a: Interval<__m512d>, b: Interval<__m512d>) -> Interval<__m512d> {
         let p = self;
-        let lo = p.mul_rd(a.hi, b.hi);
-        let number = cpu!(_mm512_cmp_pd_mask::<_CMP_ORD_Q>(lo, lo));
-        let lo = cpu!(_mm512_maskz_mov_pd(number, lo));
-        let hi = cpu!(_mm512_maskz_mov_pd(number, p.mul_ru(a.hi, b.hi)));
-        let lo = p.min_f(p.mul_rd(a.hi, b.lo), lo);
-        let hi = p.max_f(p.mul_ru(a.hi, b.lo), hi);
-        let lo = p.min_f(p.mul_rd(a.lo, b.hi), lo);
-        let hi = p.max_f(p.mul_ru(a.lo, b.hi), hi);
+        let zero = p.splat(0.0);
+        let (low, high) = (p.le(zero, b.lo), p.le(zero, b.hi));
+        let least = p.mend(p.mul_rd(p.select(high, a.lo, a.hi), b.hi));
+        let most = p.mend(p.mul_ru(p.select(high, a.hi, a.lo), b.hi));
         Interval {
-            lo: p.min_f(p.mul_rd(a.lo, b.lo), lo),
-            hi: p.max_f(p.mul_ru(a.lo, b.lo), hi),
+            lo: p.min_f(p.mul_rd(p.select(low, a.lo, a.hi), b.lo), least),
+            hi: p.max_f(p.mul_ru(p.select(low, a.hi, a.lo), b.lo), most),
         }
     }
 
