@@ -71,6 +71,11 @@ prove ln_fused.g "[1b-53, 0.33334]" 7.2e-16
 prove ln_fused.g "[-0.33334, -1b-53]" 6.1e-16
 prove ln_plain.g "[1b-53, 0.33334]" 1e-15
 prove ln_plain.g "[-0.33334, -1b-53]" 1e-15
+same logarithm logarithm "$functions/logarithm.rs"
+prove logarithm.g "" 1.7e-19
+product="rnd("
+prove logarithm.g "" 2.26e-19
+product="("
 same atan atan "$functions/arctangent.rs"
 both atan.g "" ""
 same asin asin "$functions/arcsine.rs"

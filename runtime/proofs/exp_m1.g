@@ -1,4 +1,4 @@
-# The tail of e^r - 1, and so of eˣ - 1, sinh, tanh (hyperbolic.rs) and powers (pow.rs), operation by operation.
+# The tail of e^r - 1, and so of eˣ - 1, sinh, tanh (hyperbolic.rs) and powers (real_power.rs), operation by operation.
 # The constants are those of exp.sollya and of the code; check.sh compares them. Products that are written @(a * b) are
 # exact with fused operations and rounded without: check.sh proves both.
 @rnd = float<ieee_64, ne>;
@@ -42,7 +42,7 @@ m1 = r * m2 + C1;
 m0 = r * m1 + C0;
 mt = (r * r) * m0 - t1;
 
-# exp_m1.sollya and pow.sollya take it from here; what is left out there is as in exp_fused.g.
+# exp_m1.sollya takes it from here; what else there is to the error is in exp_fused.g.
 { r1 in @HALF@ /\ |t1| <= 1b-32 -> |t - mt| <= @BOUND@ }
 
 $ r1 in 64;

@@ -1,7 +1,7 @@
 //! Every packet is an [`Arithmetic`] on intervals.
 
 use super::enclose::Enclose;
-use super::functions::{self, tested};
+use super::functions;
 use super::{Arithmetic, Flags, Interval, Truth, Undecided};
 
 impl<P: Enclose> Arithmetic for P {
@@ -176,7 +176,7 @@ impl<P: Enclose> Arithmetic for P {
     #[inline(always)]
     fn pow(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane2(self, a, b, tested::pow),
+            functions::real_power::pow(self, a, b),
             functions::domain::power(self, a, b),
         )
     }
@@ -199,7 +199,7 @@ impl<P: Enclose> Arithmetic for P {
     #[inline(always)]
     fn ln_1p(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane(self, a, tested::ln_1p),
+            functions::inverse_hyperbolic::ln_1p(self, a),
             functions::domain::above(self, a, -1.0),
         )
     }
@@ -272,19 +272,19 @@ impl<P: Enclose> Arithmetic for P {
     }
     #[inline(always)]
     fn asinh(self, a: Interval<P::F>) -> Interval<P::F> {
-        tested::per_lane(self, a, tested::asinh)
+        functions::inverse_hyperbolic::asinh(self, a)
     }
     #[inline(always)]
     fn acosh(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane(self, a, tested::acosh),
+            functions::inverse_hyperbolic::acosh(self, a),
             functions::domain::at_least(self, a, 1.0),
         )
     }
     #[inline(always)]
     fn atanh(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
         (
-            tested::per_lane(self, a, tested::atanh),
+            functions::inverse_hyperbolic::atanh(self, a),
             functions::domain::inside(self, a, -1.0, 1.0),
         )
     }

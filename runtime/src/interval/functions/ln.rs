@@ -35,8 +35,8 @@ const COEFFICIENTS: [u64; 8] = [
     0x3fc1b75928799d54,
 ];
 /// ln 2 to 42 bits, and the rest.
-const L1: u64 = 0x3fe62e42fefa3800;
-const L2: u64 = 0x3d2ef35793c76730;
+pub const L1: u64 = 0x3fe62e42fefa3800;
+pub const L2: u64 = 0x3d2ef35793c76730;
 
 /// ln a over a > 0; the line where there is no such number.
 #[inline(always)]

@@ -1,4 +1,4 @@
-//! Products and quotients with their rounding errors, on packets.
+//! Sums, products and quotients with their rounding errors, on packets.
 
 use super::super::Lanes;
 
@@ -26,6 +26,16 @@ pub fn two_product<P: Lanes>(p: P, a: P::F, b: P::F) -> (P::F, P::F) {
     (h, p.sub_rn(p.mul_rn(a0, b0), rest))
 }
 
+/// a + b exactly, for |a| ≥ |b| or a = 0 (Dekker).
+#[inline(always)]
+pub fn fast_two_sum<P: Lanes>(p: P, a: P::F, b: P::F) -> Sum<P::F> {
+    let high = p.add_rn(a, b);
+    Sum {
+        high,
+        low: p.sub_rn(b, p.sub_rn(high, a)),
+    }
+}
+
 /// (h, l) with h + l = a exactly, short enough that products of two are exact (Veltkamp).
 #[inline(always)]
 fn split<P: Lanes>(p: P, a: P::F) -> (P::F, P::F) {
@@ -44,15 +54,20 @@ fn split<P: Lanes>(p: P, a: P::F) -> (P::F, P::F) {
 pub fn quotient<P: Lanes>(p: P, n: Sum<P::F>, d: Sum<P::F>) -> Sum<P::F> {
     let inverse = p.div_rn(p.splat(1.0), d.high);
     let q = p.mul_rn(n.high, inverse);
-    let rest = if P::FUSED {
-        p.fma_rn(p.neg_f(q), d.high, n.high)
-    } else {
-        let (h, l) = two_product(p, q, d.high);
-        p.sub_rn(p.sub_rn(n.high, h), l)
-    };
+    let rest = remainder(p, n.high, q, d.high);
     let low = p.fma_rn(p.neg_f(q), d.low, n.low);
     Sum {
         high: q,
         low: p.mul_rn(p.add_rn(rest, low), inverse),
     }
+}
+
+/// x − a·b, rounded once, where a·b is x up to a few units in the last place.
+#[inline(always)]
+pub fn remainder<P: Lanes>(p: P, x: P::F, a: P::F, b: P::F) -> P::F {
+    if P::FUSED {
+        return p.fma_rn(p.neg_f(a), b, x);
+    }
+    let (h, l) = two_product(p, a, b);
+    p.sub_rn(p.sub_rn(x, h), l)
 }
