@@ -2,7 +2,11 @@
 
 use super::enclose::Enclose;
 use super::functions;
-use super::{Arithmetic, Flags, Interval, Truth, Undecided};
+use super::lanes::operations;
+use super::{Arithmetic, Flags, Interval, Lanes, Truth, Undecided};
+
+type Bounds<P> = Interval<<P as Lanes>::F>;
+type Flagged<P> = (Bounds<P>, Flags<P>);
 
 impl<P: Enclose> Arithmetic for P {
     type Packet = P;
@@ -20,19 +24,7 @@ impl<P: Enclose> Arithmetic for P {
     fn clear(self) -> Flags<P> {
         Flags::none(self)
     }
-    #[inline(always)]
-    fn join(self, a: Flags<P>, b: Flags<P>) -> Flags<P> {
-        a.join(self, b)
-    }
-    #[inline(always)]
-    fn join_derivative(self, a: Flags<P>, d: Flags<P>) -> Flags<P> {
-        Flags {
-            empty: a.empty,
-            undefined: self.or(d.empty, self.or(a.undefined, d.undefined)),
-            jump: self.or(a.jump, d.jump),
-            kink: self.or(a.kink, d.kink),
-        }
-    }
+
     #[inline(always)]
     fn undefined_if(self, undefined: bool) -> Flags<P> {
         let all = self.mask(if undefined { 0xff } else { 0 });
@@ -42,254 +34,121 @@ impl<P: Enclose> Arithmetic for P {
         }
     }
 
-    #[inline(always)]
-    fn neg(self, a: Interval<P::F>) -> Interval<P::F> {
-        Interval {
-            lo: self.neg_f(a.hi),
-            hi: self.neg_f(a.lo),
-        }
-    }
-    #[inline(always)]
-    fn add(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        self.i_add(a, b)
-    }
-    #[inline(always)]
-    fn sub(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        self.i_sub(a, b)
-    }
-    #[inline(always)]
-    fn mul(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        self.i_mul(a, b)
-    }
-    #[inline(always)]
-    fn mul_pos(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        self.i_mul_pos(a, b)
-    }
-    #[inline(always)]
-    fn mul_pos_pos(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        self.i_mul_pos_pos(a, b)
-    }
-    #[inline(always)]
-    fn sqr(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_sqr(a)
-    }
-    #[inline(always)]
-    fn powi(self, a: Interval<P::F>, n: u32) -> Interval<P::F> {
-        self.i_powi(a, n)
-    }
-    #[inline(always)]
-    fn nonneg(self, a: Interval<P::F>) -> Interval<P::F> {
-        let zero = self.splat(0.0);
-        Interval {
-            lo: self.max_f(a.lo, zero),
-            hi: self.max_f(a.hi, zero),
-        }
-    }
-    #[inline(always)]
-    fn abs(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_abs(a)
-    }
-    #[inline(always)]
-    fn abs_slope(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        // Where a only touches 0, |a| is a or −a over the whole operand: no kink.
-        let (zero, one, minus) = (self.splat(0.0), self.splat(1.0), self.splat(-1.0));
-        let below = self.lt(a.lo, zero);
-        let above = self.lt(zero, a.hi);
-        let slope = Interval {
-            lo: self.select(below, minus, one),
-            hi: self.select(self.and_not(below, above), minus, one),
-        };
-        (
-            slope,
-            Flags {
-                kink: self.and(below, above),
-                ..Flags::none(self)
-            },
-        )
-    }
-    #[inline(always)]
-    fn min(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        Interval {
-            lo: self.min_f(a.lo, b.lo),
-            hi: self.min_f(a.hi, b.hi),
-        }
-    }
-    #[inline(always)]
-    fn max(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        Interval {
-            lo: self.max_f(a.lo, b.lo),
-            hi: self.max_f(a.hi, b.hi),
-        }
-    }
-    #[inline(always)]
-    fn less(self, a: Interval<P::F>, b: Interval<P::F>) -> Truth<P> {
-        Truth {
-            yes: self.lt(a.hi, b.lo),
-            no: self.le(b.hi, a.lo),
-        }
-    }
-    #[inline(always)]
-    fn less_or_equal(self, a: Interval<P::F>, b: Interval<P::F>) -> Truth<P> {
-        Truth {
-            yes: self.le(a.hi, b.lo),
-            no: self.lt(b.hi, a.lo),
-        }
-    }
-    #[inline(always)]
-    fn both(self, a: Truth<P>, b: Truth<P>) -> Truth<P> {
-        a.both(self, b)
-    }
-    #[inline(always)]
-    fn either(self, a: Truth<P>, b: Truth<P>) -> Truth<P> {
-        a.either(self, b)
-    }
-    #[inline(always)]
-    fn choose(self, c: Truth<P>, yes: Interval<P::F>, no: Interval<P::F>) -> Interval<P::F> {
-        let lo = self.min_f(yes.lo, no.lo);
-        let hi = self.max_f(yes.hi, no.hi);
-        Interval {
-            lo: self.select(c.yes, yes.lo, self.select(c.no, no.lo, lo)),
-            hi: self.select(c.yes, yes.hi, self.select(c.no, no.hi, hi)),
-        }
-    }
-    #[inline(always)]
-    fn branch(self, c: Truth<P>, yes: Flags<P>, no: Flags<P>, undecided: Undecided) -> Flags<P> {
-        c.branch(self, yes, no, undecided)
-    }
-
-    #[inline(always)]
-    fn div(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (self.i_div(a, b), functions::domain::nonzero(self, b))
-    }
-    #[inline(always)]
-    fn recip(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (self.i_recip(a), functions::domain::nonzero(self, a))
-    }
-    #[inline(always)]
-    fn sqrt(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (self.i_sqrt(a), functions::domain::at_least(self, a, 0.0))
-    }
-    #[inline(always)]
-    fn cbrt(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_cbrt(a)
-    }
-    #[inline(always)]
-    fn pow(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            functions::real_power::pow(self, a, b),
-            functions::domain::power(self, a, b),
-        )
-    }
+    /// Inlined whatever its length: sums of exponentials are little else.
     #[inline(always)]
     fn exp(self, a: Interval<P::F>) -> Interval<P::F> {
         self.i_exp(a)
     }
-    #[inline(always)]
-    fn exp2(self, a: Interval<P::F>) -> Interval<P::F> {
-        functions::derived::exp2(self, a)
-    }
-    #[inline(always)]
-    fn exp_m1(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_exp_m1(a)
-    }
-    #[inline(always)]
-    fn ln(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (self.i_ln(a), functions::domain::above(self, a, 0.0))
-    }
-    #[inline(always)]
-    fn ln_1p(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            functions::inverse_hyperbolic::ln_1p(self, a),
-            functions::domain::above(self, a, -1.0),
-        )
-    }
-    #[inline(always)]
-    fn log2(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            functions::derived::log2(self, a),
-            functions::domain::above(self, a, 0.0),
-        )
-    }
-    #[inline(always)]
-    fn log10(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            functions::derived::log10(self, a),
-            functions::domain::above(self, a, 0.0),
-        )
-    }
-    #[inline(always)]
-    fn sin(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_sin(a)
-    }
-    #[inline(always)]
-    fn cos(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_cos(a)
-    }
-    #[inline(always)]
-    fn tan(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        let range = self.i_tan(a);
-        // Between its poles the tangent of a double is finite.
-        let pole = self.eq(range.lo, self.splat(f64::NEG_INFINITY));
-        let flags = Flags {
-            undefined: pole,
-            ..Flags::none(self)
+
+    operations! {
+        <P: Enclose> self => self;
+        join(a: Flags<P>, b: Flags<P>) -> Flags<P> = p => a.join(p, b);
+        join_derivative(a: Flags<P>, d: Flags<P>) -> Flags<P> = p => Flags {
+            empty: a.empty,
+            undefined: p.or(d.empty, p.or(a.undefined, d.undefined)),
+            jump: p.or(a.jump, d.jump),
+            kink: p.or(a.kink, d.kink),
         };
-        (range, flags)
-    }
-    #[inline(always)]
-    fn asin(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            self.i_asin(a),
-            functions::domain::between(self, a, -1.0, 1.0),
-        )
-    }
-    #[inline(always)]
-    fn acos(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            self.i_acos(a),
-            functions::domain::between(self, a, -1.0, 1.0),
-        )
-    }
-    #[inline(always)]
-    fn atan(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_atan(a)
-    }
-    #[inline(always)]
-    fn atan2(self, a: Interval<P::F>, b: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (self.i_atan2(a, b), functions::domain::angle(self, a, b))
-    }
-    #[inline(always)]
-    fn sinh(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_sinh(a)
-    }
-    #[inline(always)]
-    fn cosh(self, a: Interval<P::F>) -> Interval<P::F> {
-        functions::derived::cosh(self, a)
-    }
-    #[inline(always)]
-    fn tanh(self, a: Interval<P::F>) -> Interval<P::F> {
-        self.i_tanh(a)
-    }
-    #[inline(always)]
-    fn asinh(self, a: Interval<P::F>) -> Interval<P::F> {
-        functions::inverse_hyperbolic::asinh(self, a)
-    }
-    #[inline(always)]
-    fn acosh(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            functions::inverse_hyperbolic::acosh(self, a),
-            functions::domain::at_least(self, a, 1.0),
-        )
-    }
-    #[inline(always)]
-    fn atanh(self, a: Interval<P::F>) -> (Interval<P::F>, Flags<P>) {
-        (
-            functions::inverse_hyperbolic::atanh(self, a),
-            functions::domain::inside(self, a, -1.0, 1.0),
-        )
-    }
-    #[inline(always)]
-    fn hypot(self, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
-        self.i_hypot(a, b)
+        neg(a: Bounds<P>) -> Bounds<P> = p =>
+            Interval { lo: p.neg_f(a.hi), hi: p.neg_f(a.lo) };
+        add(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p => p.i_add(a, b);
+        sub(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p => p.i_sub(a, b);
+        mul(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p => p.i_mul(a, b);
+        mul_pos(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p => p.i_mul_pos(a, b);
+        mul_pos_pos(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p => p.i_mul_pos_pos(a, b);
+        sqr(a: Bounds<P>) -> Bounds<P> = p => p.i_sqr(a);
+        powi(a: Bounds<P>, n: u32) -> Bounds<P> = p => p.i_powi(a, n);
+        nonneg(a: Bounds<P>) -> Bounds<P> = p => {
+            let zero = p.splat(0.0);
+            Interval {
+                lo: p.max_f(a.lo, zero),
+                hi: p.max_f(a.hi, zero),
+            }
+        };
+        abs(a: Bounds<P>) -> Bounds<P> = p => p.i_abs(a);
+        abs_slope(a: Bounds<P>) -> Flagged<P> = p => {
+            // Where a only touches 0, |a| is a or −a over the whole operand: no kink.
+            let (zero, one, minus) = (p.splat(0.0), p.splat(1.0), p.splat(-1.0));
+            let below = p.lt(a.lo, zero);
+            let above = p.lt(zero, a.hi);
+            let slope = Interval {
+                lo: p.select(below, minus, one),
+                hi: p.select(p.and_not(below, above), minus, one),
+            };
+            (
+                slope,
+                Flags {
+                    kink: p.and(below, above),
+                    ..Flags::none(p)
+                },
+            )
+        };
+        min(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p =>
+            Interval { lo: p.min_f(a.lo, b.lo), hi: p.min_f(a.hi, b.hi) };
+        max(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p =>
+            Interval { lo: p.max_f(a.lo, b.lo), hi: p.max_f(a.hi, b.hi) };
+        less(a: Bounds<P>, b: Bounds<P>) -> Truth<P> = p =>
+            Truth { yes: p.lt(a.hi, b.lo), no: p.le(b.hi, a.lo) };
+        less_or_equal(a: Bounds<P>, b: Bounds<P>) -> Truth<P> = p =>
+            Truth { yes: p.le(a.hi, b.lo), no: p.lt(b.hi, a.lo) };
+        both(a: Truth<P>, b: Truth<P>) -> Truth<P> = p => a.both(p, b);
+        either(a: Truth<P>, b: Truth<P>) -> Truth<P> = p => a.either(p, b);
+        choose(c: Truth<P>, yes: Bounds<P>, no: Bounds<P>) -> Bounds<P> = p => {
+            let lo = p.min_f(yes.lo, no.lo);
+            let hi = p.max_f(yes.hi, no.hi);
+            Interval {
+                lo: p.select(c.yes, yes.lo, p.select(c.no, no.lo, lo)),
+                hi: p.select(c.yes, yes.hi, p.select(c.no, no.hi, hi)),
+            }
+        };
+        branch(c: Truth<P>, yes: Flags<P>, no: Flags<P>, undecided: Undecided) -> Flags<P> = p =>
+            c.branch(p, yes, no, undecided);
+        div(a: Bounds<P>, b: Bounds<P>) -> Flagged<P> = p =>
+            (p.i_div(a, b), functions::domain::nonzero(p, b));
+        recip(a: Bounds<P>) -> Flagged<P> = p => (p.i_recip(a), functions::domain::nonzero(p, a));
+        sqrt(a: Bounds<P>) -> Flagged<P> = p =>
+            (p.i_sqrt(a), functions::domain::at_least(p, a, 0.0));
+        cbrt(a: Bounds<P>) -> Bounds<P> = p => p.i_cbrt(a);
+        pow(a: Bounds<P>, b: Bounds<P>) -> Flagged<P> = p =>
+            (functions::real_power::pow(p, a, b), functions::domain::power(p, a, b));
+        exp2(a: Bounds<P>) -> Bounds<P> = p => functions::derived::exp2(p, a);
+        exp_m1(a: Bounds<P>) -> Bounds<P> = p => p.i_exp_m1(a);
+        ln(a: Bounds<P>) -> Flagged<P> = p => (p.i_ln(a), functions::domain::above(p, a, 0.0));
+        ln_1p(a: Bounds<P>) -> Flagged<P> = p =>
+            (functions::inverse_hyperbolic::ln_1p(p, a), functions::domain::above(p, a, -1.0));
+        log2(a: Bounds<P>) -> Flagged<P> = p =>
+            (functions::derived::log2(p, a), functions::domain::above(p, a, 0.0));
+        log10(a: Bounds<P>) -> Flagged<P> = p =>
+            (functions::derived::log10(p, a), functions::domain::above(p, a, 0.0));
+        sin(a: Bounds<P>) -> Bounds<P> = p => p.i_sin(a);
+        cos(a: Bounds<P>) -> Bounds<P> = p => p.i_cos(a);
+        tan(a: Bounds<P>) -> Flagged<P> = p => {
+            let range = p.i_tan(a);
+            // Between its poles the tangent of a double is finite.
+            let pole = p.eq(range.lo, p.splat(f64::NEG_INFINITY));
+            let flags = Flags {
+                undefined: pole,
+                ..Flags::none(p)
+            };
+            (range, flags)
+        };
+        asin(a: Bounds<P>) -> Flagged<P> = p =>
+            (p.i_asin(a), functions::domain::between(p, a, -1.0, 1.0));
+        acos(a: Bounds<P>) -> Flagged<P> = p =>
+            (p.i_acos(a), functions::domain::between(p, a, -1.0, 1.0));
+        atan(a: Bounds<P>) -> Bounds<P> = p => p.i_atan(a);
+        atan2(a: Bounds<P>, b: Bounds<P>) -> Flagged<P> = p =>
+            (p.i_atan2(a, b), functions::domain::angle(p, a, b));
+        sinh(a: Bounds<P>) -> Bounds<P> = p => p.i_sinh(a);
+        cosh(a: Bounds<P>) -> Bounds<P> = p => functions::derived::cosh(p, a);
+        tanh(a: Bounds<P>) -> Bounds<P> = p => p.i_tanh(a);
+        asinh(a: Bounds<P>) -> Bounds<P> = p => functions::inverse_hyperbolic::asinh(p, a);
+        acosh(a: Bounds<P>) -> Flagged<P> = p =>
+            (functions::inverse_hyperbolic::acosh(p, a), functions::domain::at_least(p, a, 1.0));
+        atanh(a: Bounds<P>) -> Flagged<P> = p => (
+            functions::inverse_hyperbolic::atanh(p, a),
+            functions::domain::inside(p, a, -1.0, 1.0),
+        );
+        hypot(a: Bounds<P>, b: Bounds<P>) -> Bounds<P> = p => p.i_hypot(a, b);
     }
 }

@@ -36,6 +36,10 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// The same for work on values of this instruction set, which [`Kernel`] cannot name: one function of its own per
     /// routine and instruction set (`#[inline(never)]`, with the target features).
     fn call<R: Routine<Self>>(self, routine: R) -> R::Output;
+    /// The same for one operation of a formula. A formula has hundreds of them; inlined as they are written they give a
+    /// function that takes minutes to compile, most of it for taking apart what every one of them passes in memory. As a
+    /// function of its own an operation is simplified once, and then inlined where it is short.
+    fn operation<R: Routine<Self>>(self, routine: R) -> R::Output;
 
     /// The same number in every lane.
     fn splat(self, x: f64) -> Self::F;
@@ -210,6 +214,45 @@ pub(super) fn decompose(x: f64) -> (f64, f64) {
     let e = f64::from_bits(biased | 0x4330_0000_0000_0000) - (4_503_599_627_370_496.0 + 1023.0);
     (m, e)
 }
+
+/// A piece of code as an operation: `$body` becomes a [`Routine`], which [`Lanes::operation`] runs with the token
+/// `$lanes`. Operands are passed by reference.
+macro_rules! operation {
+    (
+        <$P:ident: $bound:ident> $lanes:expr, ($($operand:ident: $kind:ty = $value:expr),*) -> $out:ty
+        = $p:ident => $body:expr
+    ) => {{
+        struct Operation<'a, $P: $bound> {
+            $($operand: &'a $kind),*
+        }
+        impl<$P: $bound> $crate::interval::Routine<$P> for Operation<'_, $P> {
+            type Output = $out;
+            #[inline(always)]
+            fn call(self, $p: $P) -> $out {
+                $(let $operand = *self.$operand;)*
+                $body
+            }
+        }
+        $lanes.operation(Operation::<$P> { $($operand: $value),* })
+    }};
+}
+pub(super) use operation;
+
+/// Methods that are one operation each.
+macro_rules! operations {
+    (
+        <$P:ident: $bound:ident> $this:ident => $lanes:expr;
+        $($name:ident($($operand:ident: $kind:ty),*) -> $out:ty = $p:ident => $body:expr;)*
+    ) => {
+        $(#[inline(always)]
+        fn $name($this, $($operand: $kind),*) -> $out {
+            $crate::interval::lanes::operation!(
+                <$P: $bound> $lanes, ($($operand: $kind = &$operand),*) -> $out = $p => $body
+            )
+        })*
+    };
+}
+pub(super) use operations;
 
 /// The bits of ⅔.
 pub(super) const TWO_THIRDS: u64 = 0x3fe5_5555_5555_5555;

@@ -1,6 +1,7 @@
 //! Plain floating point on packets, for guesses that an enclosure then checks.
 
 use super::functions;
+use super::lanes::operations;
 use super::{Arithmetic, Flags, Interval, Packet, Truth, Undecided};
 
 /// Approximate arithmetic on the lanes of a packet: no bounds, no flags, NaN where a function is not defined.
@@ -25,20 +26,6 @@ fn each2<P: Packet>(p: P, x: P::F, y: P::F, f: fn(f64, f64) -> f64) -> P::F {
         *lane = f(*lane, other);
     }
     p.lanes(x)
-}
-
-/// Operations that are one call per lane of `f64`'s method of the same name; the second list are those that are partial.
-macro_rules! per_lane {
-    (total: $($total:ident)*; partial: $($partial:ident)*) => {
-        $(#[inline(always)]
-        fn $total(self, a: P::F) -> P::F {
-            each(self.0, a, f64::$total)
-        })*
-        $(#[inline(always)]
-        fn $partial(self, a: P::F) -> (P::F, Flags<P>) {
-            (each(self.0, a, f64::$partial), self.clear())
-        })*
-    };
 }
 
 impl<P: Packet> Arithmetic for Nearest<P> {
@@ -66,166 +53,88 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         self.clear()
     }
     #[inline(always)]
-    fn neg(self, a: P::F) -> P::F {
-        self.0.neg_f(a)
-    }
-    #[inline(always)]
-    fn add(self, a: P::F, b: P::F) -> P::F {
-        self.0.add_rn(a, b)
-    }
-    #[inline(always)]
-    fn sub(self, a: P::F, b: P::F) -> P::F {
-        self.0.sub_rn(a, b)
-    }
-    #[inline(always)]
-    fn mul(self, a: P::F, b: P::F) -> P::F {
-        self.0.mul_rn(a, b)
-    }
-    #[inline(always)]
-    fn mul_pos(self, a: P::F, b: P::F) -> P::F {
-        self.0.mul_rn(a, b)
-    }
-    #[inline(always)]
-    fn mul_pos_pos(self, a: P::F, b: P::F) -> P::F {
-        self.0.mul_rn(a, b)
-    }
-    #[inline(always)]
-    fn sqr(self, a: P::F) -> P::F {
-        self.0.mul_rn(a, a)
-    }
-    #[inline(always)]
-    fn powi(self, a: P::F, n: u32) -> P::F {
-        let p = self.0;
-        let (mut power, mut square, mut n) = (p.splat(1.0), a, n);
-        while n > 0 {
-            if n & 1 == 1 {
-                power = p.mul_rn(power, square);
-            }
-            square = p.mul_rn(square, square);
-            n >>= 1;
-        }
-        power
-    }
-    #[inline(always)]
-    fn nonneg(self, a: P::F) -> P::F {
-        // Zero first, so that a NaN stays one.
-        self.0.max_f(self.0.splat(0.0), a)
-    }
-    #[inline(always)]
-    fn abs(self, a: P::F) -> P::F {
-        self.0.abs_f(a)
-    }
-    #[inline(always)]
-    fn abs_slope(self, a: P::F) -> (P::F, Flags<P>) {
-        let p = self.0;
-        (
-            p.select(p.lt(a, p.splat(0.0)), p.splat(-1.0), p.splat(1.0)),
-            self.clear(),
-        )
-    }
-    #[inline(always)]
-    fn min(self, a: P::F, b: P::F) -> P::F {
-        self.0.min_f(a, b)
-    }
-    #[inline(always)]
-    fn max(self, a: P::F, b: P::F) -> P::F {
-        self.0.max_f(a, b)
-    }
-    #[inline(always)]
-    fn less(self, a: P::F, b: P::F) -> Truth<P> {
-        let yes = self.0.lt(a, b);
-        Truth {
-            yes,
-            no: self.0.not(yes),
-        }
-    }
-    #[inline(always)]
-    fn less_or_equal(self, a: P::F, b: P::F) -> Truth<P> {
-        let yes = self.0.le(a, b);
-        Truth {
-            yes,
-            no: self.0.not(yes),
-        }
-    }
-    #[inline(always)]
-    fn both(self, a: Truth<P>, b: Truth<P>) -> Truth<P> {
-        a.both(self.0, b)
-    }
-    #[inline(always)]
-    fn either(self, a: Truth<P>, b: Truth<P>) -> Truth<P> {
-        a.either(self.0, b)
-    }
-    #[inline(always)]
-    fn choose(self, c: Truth<P>, yes: P::F, no: P::F) -> P::F {
-        self.0.select(c.yes, yes, no)
-    }
-    #[inline(always)]
     fn branch(self, _c: Truth<P>, yes: Flags<P>, _no: Flags<P>, _undecided: Undecided) -> Flags<P> {
         yes
-    }
-    #[inline(always)]
-    fn div(self, a: P::F, b: P::F) -> (P::F, Flags<P>) {
-        (self.0.div_rn(a, b), self.clear())
-    }
-    #[inline(always)]
-    fn recip(self, a: P::F) -> (P::F, Flags<P>) {
-        (self.0.div_rn(self.0.splat(1.0), a), self.clear())
-    }
-    #[inline(always)]
-    fn sqrt(self, a: P::F) -> (P::F, Flags<P>) {
-        (self.0.sqrt_rn(a), self.clear())
     }
     #[inline(always)]
     fn exp(self, a: P::F) -> P::F {
         functions::exp::anywhere(self.0, a)
     }
-    #[inline(always)]
-    fn ln(self, a: P::F) -> (P::F, Flags<P>) {
-        (functions::ln::anywhere(self.0, a), self.clear())
-    }
-    #[inline(always)]
-    fn sin(self, a: P::F) -> P::F {
-        functions::circular::near(self.0, a, 0.0)
-    }
-    #[inline(always)]
-    fn cos(self, a: P::F) -> P::F {
-        functions::circular::near(self.0, a, 1.0)
-    }
-    #[inline(always)]
-    fn tan(self, a: P::F) -> (P::F, Flags<P>) {
-        (functions::tangent::near(self.0, a), self.clear())
-    }
-    #[inline(always)]
-    fn asin(self, a: P::F) -> (P::F, Flags<P>) {
-        (functions::arcsine::near_sine(self.0, a), self.clear())
-    }
-    #[inline(always)]
-    fn acos(self, a: P::F) -> (P::F, Flags<P>) {
-        (functions::arcsine::near_cosine(self.0, a), self.clear())
-    }
-    #[inline(always)]
-    fn atan(self, a: P::F) -> P::F {
-        functions::arctangent::near(self.0, a)
-    }
-    #[inline(always)]
-    fn cbrt(self, a: P::F) -> P::F {
-        functions::cbrt::near(self.0, a)
-    }
-    #[inline(always)]
-    fn pow(self, a: P::F, b: P::F) -> (P::F, Flags<P>) {
-        (each2(self.0, a, b, f64::powf), self.clear())
-    }
-    #[inline(always)]
-    fn atan2(self, a: P::F, b: P::F) -> (P::F, Flags<P>) {
-        (functions::angle::near(self.0, a, b), self.clear())
-    }
-    #[inline(always)]
-    fn hypot(self, a: P::F, b: P::F) -> P::F {
-        self.0.sqrt_rn(self.0.fma_rn(a, a, self.0.mul_rn(b, b)))
-    }
 
-    per_lane! {
-        total: exp2 exp_m1 sinh cosh tanh asinh;
-        partial: ln_1p log2 log10 acosh atanh
+    operations! {
+        <P: Packet> self => self.0;
+        neg(a: P::F) -> P::F = p => p.neg_f(a);
+        add(a: P::F, b: P::F) -> P::F = p => p.add_rn(a, b);
+        sub(a: P::F, b: P::F) -> P::F = p => p.sub_rn(a, b);
+        mul(a: P::F, b: P::F) -> P::F = p => p.mul_rn(a, b);
+        mul_pos(a: P::F, b: P::F) -> P::F = p => p.mul_rn(a, b);
+        mul_pos_pos(a: P::F, b: P::F) -> P::F = p => p.mul_rn(a, b);
+        sqr(a: P::F) -> P::F = p => p.mul_rn(a, a);
+        powi(a: P::F, n: u32) -> P::F = p => {
+            let (mut power, mut square, mut n) = (p.splat(1.0), a, n);
+            while n > 0 {
+                if n & 1 == 1 {
+                    power = p.mul_rn(power, square);
+                }
+                square = p.mul_rn(square, square);
+                n >>= 1;
+            }
+            power
+        };
+        nonneg(a: P::F) -> P::F = p => {
+            // Zero first, so that a NaN stays one.
+            p.max_f(p.splat(0.0), a)
+        };
+        abs(a: P::F) -> P::F = p => p.abs_f(a);
+        abs_slope(a: P::F) -> (P::F, Flags<P>) = p =>
+            (p.select(p.lt(a, p.splat(0.0)), p.splat(-1.0), p.splat(1.0)), Flags::none(p));
+        min(a: P::F, b: P::F) -> P::F = p => p.min_f(a, b);
+        max(a: P::F, b: P::F) -> P::F = p => p.max_f(a, b);
+        less(a: P::F, b: P::F) -> Truth<P> = p => {
+            let yes = p.lt(a, b);
+            Truth {
+                yes,
+                no: p.not(yes),
+            }
+        };
+        less_or_equal(a: P::F, b: P::F) -> Truth<P> = p => {
+            let yes = p.le(a, b);
+            Truth {
+                yes,
+                no: p.not(yes),
+            }
+        };
+        both(a: Truth<P>, b: Truth<P>) -> Truth<P> = p => a.both(p, b);
+        either(a: Truth<P>, b: Truth<P>) -> Truth<P> = p => a.either(p, b);
+        choose(c: Truth<P>, yes: P::F, no: P::F) -> P::F = p => p.select(c.yes, yes, no);
+        div(a: P::F, b: P::F) -> (P::F, Flags<P>) = p => (p.div_rn(a, b), Flags::none(p));
+        recip(a: P::F) -> (P::F, Flags<P>) = p => (p.div_rn(p.splat(1.0), a), Flags::none(p));
+        sqrt(a: P::F) -> (P::F, Flags<P>) = p => (p.sqrt_rn(a), Flags::none(p));
+        ln(a: P::F) -> (P::F, Flags<P>) = p => (functions::ln::anywhere(p, a), Flags::none(p));
+        sin(a: P::F) -> P::F = p => functions::circular::near(p, a, 0.0);
+        cos(a: P::F) -> P::F = p => functions::circular::near(p, a, 1.0);
+        tan(a: P::F) -> (P::F, Flags<P>) = p => (functions::tangent::near(p, a), Flags::none(p));
+        asin(a: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::arcsine::near_sine(p, a), Flags::none(p));
+        acos(a: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::arcsine::near_cosine(p, a), Flags::none(p));
+        atan(a: P::F) -> P::F = p => functions::arctangent::near(p, a);
+        cbrt(a: P::F) -> P::F = p => functions::cbrt::near(p, a);
+        pow(a: P::F, b: P::F) -> (P::F, Flags<P>) = p =>
+            (each2(p, a, b, f64::powf), Flags::none(p));
+        atan2(a: P::F, b: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::angle::near(p, a, b), Flags::none(p));
+        hypot(a: P::F, b: P::F) -> P::F = p => p.sqrt_rn(p.fma_rn(a, a, p.mul_rn(b, b)));
+        exp2(a: P::F) -> P::F = p => each(p, a, f64::exp2);
+        exp_m1(a: P::F) -> P::F = p => each(p, a, f64::exp_m1);
+        sinh(a: P::F) -> P::F = p => each(p, a, f64::sinh);
+        cosh(a: P::F) -> P::F = p => each(p, a, f64::cosh);
+        tanh(a: P::F) -> P::F = p => each(p, a, f64::tanh);
+        asinh(a: P::F) -> P::F = p => each(p, a, f64::asinh);
+        ln_1p(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::ln_1p), Flags::none(p));
+        log2(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::log2), Flags::none(p));
+        log10(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::log10), Flags::none(p));
+        acosh(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::acosh), Flags::none(p));
+        atanh(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::atanh), Flags::none(p));
     }
 }

@@ -5,6 +5,7 @@
 //! upper bound the maximum of another. Horner's scheme with fused operations rounds twice, each time downwards (upwards):
 //! c₂t + c₁ rounded down is multiplied by t ≥ 0, which keeps the order.
 
+use super::lanes::operation;
 use super::{Arithmetic, At, Interval, Linear, Nearest, Packet, Parameter, Quadratic};
 
 impl<P: Packet> Linear<P> {
@@ -26,9 +27,10 @@ impl<P: Packet> Quadratic<P> {
     /// c₀ + c₁t + c₂t², with the extreme values c₀ − c₁²/4c₂ of the two bounding quadratics rounded outward.
     #[inline(always)]
     pub fn new(p: P, c0: Interval<P::F>, c1: Interval<P::F>, c2: Interval<P::F>) -> Self {
-        let (low, bottom) = minimum(p, c0.lo, c1.lo, c2.lo);
+        let lower = [c0.lo, c1.lo, c2.lo];
         // The maximum of the upper quadratic is the negated minimum of the negated one, at the same t.
-        let (high, top) = minimum(p, p.neg_f(c0.hi), p.neg_f(c1.hi), p.neg_f(c2.hi));
+        let upper = [p.neg_f(c0.hi), p.neg_f(c1.hi), p.neg_f(c2.hi)];
+        let ((low, bottom), (high, top)) = (minimum(p, &lower), minimum(p, &upper));
         Quadratic {
             c0,
             c1,
@@ -59,7 +61,12 @@ impl<P: Packet> Quadratic<P> {
 /// A lower bound of c₀ − c₁²/4c₂ where c₂ > 0, else +∞; and an enclosure of −c₁/2c₂, which is NaN or nonsense where
 /// c₂ ≤ 0.
 #[inline(always)]
-fn minimum<P: Packet>(p: P, c0: P::F, c1: P::F, c2: P::F) -> (P::F, Interval<P::F>) {
+fn minimum<P: Packet>(p: P, c: &[P::F; 3]) -> (P::F, Interval<P::F>) {
+    operation!(<P: Packet> p, (c: [P::F; 3] = c) -> (P::F, Interval<P::F>) = p => extreme(p, c))
+}
+
+#[inline(always)]
+fn extreme<P: Packet>(p: P, [c0, c1, c2]: [P::F; 3]) -> (P::F, Interval<P::F>) {
     let zero = p.splat(0.0);
     let m = p.abs_f(c1);
     let square = p.mul_nonneg_ru(m, m);
@@ -88,6 +95,15 @@ fn line<P: Packet>(p: P, c1: Interval<P::F>, c2: Interval<P::F>, t: P::F) -> Int
     }
 }
 
+/// [`line`] as an operation.
+#[inline(always)]
+fn line_at<P: Packet>(p: P, c1: &Interval<P::F>, c2: &Interval<P::F>, t: &P::F) -> Interval<P::F> {
+    operation!(
+        <P: Packet> p, (c1: Interval<P::F> = c1, c2: Interval<P::F> = c2, t: P::F = t) -> Interval<P::F>
+        = p => line(p, c1, c2, t)
+    )
+}
+
 /// Bounds of c₁ + 2c₂t: the doubling is exact.
 #[inline(always)]
 fn doubled<P: Packet>(p: P, c2: Interval<P::F>) -> Interval<P::F> {
@@ -107,6 +123,19 @@ fn outside<P: Packet>(p: P, vertex: Interval<P::F>, t: Interval<P::F>) -> P::M {
 #[inline(always)]
 fn linear_range<P: Packet>(
     p: P,
+    c0: &Interval<P::F>,
+    c1: &Interval<P::F>,
+    t: &Interval<P::F>,
+) -> Interval<P::F> {
+    operation!(
+        <P: Packet> p, (c0: Interval<P::F> = c0, c1: Interval<P::F> = c1, t: Interval<P::F> = t) -> Interval<P::F>
+        = p => linear_bounds(p, c0, c1, t)
+    )
+}
+
+#[inline(always)]
+fn linear_bounds<P: Packet>(
+    p: P,
     c0: Interval<P::F>,
     c1: Interval<P::F>,
     t: Interval<P::F>,
@@ -120,11 +149,35 @@ fn linear_range<P: Packet>(
     }
 }
 
+/// c₀ + c₁t + c₂t² over a segment.
+#[inline(always)]
+fn quadratic_range<P: Packet>(p: P, leaf: &Quadratic<P>, t: Interval<P::F>) -> Interval<P::F> {
+    let (start, end) = (
+        line(p, leaf.c1, leaf.c2, t.lo),
+        line(p, leaf.c1, leaf.c2, t.hi),
+    );
+    let lo0 = p.mul_add_rd(start.lo, t.lo, leaf.c0.lo);
+    let lo1 = p.mul_add_rd(end.lo, t.hi, leaf.c0.lo);
+    let hi0 = p.mul_add_ru(start.hi, t.lo, leaf.c0.hi);
+    let hi1 = p.mul_add_ru(end.hi, t.hi, leaf.c0.hi);
+    // If the vertex may be inside, the extreme value over all t counts, which is always a bound.
+    let low = p.select(outside(p, leaf.bottom, t), p.splat(f64::INFINITY), leaf.low);
+    let high = p.select(
+        outside(p, leaf.top, t),
+        p.splat(f64::NEG_INFINITY),
+        leaf.high,
+    );
+    Interval {
+        lo: p.min_f(p.min_f(low, lo1), lo0),
+        hi: p.max_f(p.max_f(high, hi1), hi0),
+    }
+}
+
 /// Over a segment 0 ≤ lo ≤ hi < ∞.
 impl<P: Packet> Parameter<P> for Interval<P::F> {
     #[inline(always)]
     fn linear(self, p: P, leaf: &Linear<P>) -> Interval<P::F> {
-        linear_range(p, leaf.c0, leaf.c1, self)
+        linear_range(p, &leaf.c0, &leaf.c1, &self)
     }
     #[inline(always)]
     fn linear_slope(self, _p: P, leaf: &Linear<P>) -> Interval<P::F> {
@@ -132,33 +185,14 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
     }
     #[inline(always)]
     fn quadratic(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
-        let (start, end) = (
-            line(p, leaf.c1, leaf.c2, self.lo),
-            line(p, leaf.c1, leaf.c2, self.hi),
-        );
-        let lo0 = p.mul_add_rd(start.lo, self.lo, leaf.c0.lo);
-        let lo1 = p.mul_add_rd(end.lo, self.hi, leaf.c0.lo);
-        let hi0 = p.mul_add_ru(start.hi, self.lo, leaf.c0.hi);
-        let hi1 = p.mul_add_ru(end.hi, self.hi, leaf.c0.hi);
-        // If the vertex may be inside, the extreme value over all t counts, which is always a bound.
-        let low = p.select(
-            outside(p, leaf.bottom, self),
-            p.splat(f64::INFINITY),
-            leaf.low,
-        );
-        let high = p.select(
-            outside(p, leaf.top, self),
-            p.splat(f64::NEG_INFINITY),
-            leaf.high,
-        );
-        Interval {
-            lo: p.min_f(p.min_f(low, lo1), lo0),
-            hi: p.max_f(p.max_f(high, hi1), hi0),
-        }
+        operation!(
+            <P: Packet> p, (leaf: Quadratic<P> = leaf, t: Interval<P::F> = &self) -> Interval<P::F>
+            = p => quadratic_range(p, &leaf, t)
+        )
     }
     #[inline(always)]
     fn quadratic_slope(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
-        linear_range(p, leaf.c1, doubled(p, leaf.c2), self)
+        linear_range(p, &leaf.c1, &doubled(p, leaf.c2), &self)
     }
     #[inline(always)]
     fn quadratic_curvature(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
@@ -170,7 +204,7 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
 impl<P: Packet> Parameter<P> for At<P::F> {
     #[inline(always)]
     fn linear(self, p: P, leaf: &Linear<P>) -> Interval<P::F> {
-        line(p, leaf.c0, leaf.c1, self.0)
+        line_at(p, &leaf.c0, &leaf.c1, &self.0)
     }
     #[inline(always)]
     fn linear_slope(self, _p: P, leaf: &Linear<P>) -> Interval<P::F> {
@@ -178,11 +212,14 @@ impl<P: Packet> Parameter<P> for At<P::F> {
     }
     #[inline(always)]
     fn quadratic(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
-        line(p, leaf.c0, line(p, leaf.c1, leaf.c2, self.0), self.0)
+        operation!(
+            <P: Packet> p, (leaf: Quadratic<P> = leaf, t: P::F = &self.0) -> Interval<P::F>
+            = p => line(p, leaf.c0, line(p, leaf.c1, leaf.c2, t), t)
+        )
     }
     #[inline(always)]
     fn quadratic_slope(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
-        line(p, leaf.c1, doubled(p, leaf.c2), self.0)
+        line_at(p, &leaf.c1, &doubled(p, leaf.c2), &self.0)
     }
     #[inline(always)]
     fn quadratic_curvature(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {

@@ -127,6 +127,11 @@ impl Lanes for Scalar {
     fn call<R: Routine<Self>>(self, routine: R) -> R::Output {
         routine.call(self)
     }
+    /// The surface stage runs once: what matters is how little there is to compile.
+    #[inline(never)]
+    fn operation<R: Routine<Self>>(self, routine: R) -> R::Output {
+        routine.call(self)
+    }
 
     fn splat(self, x: f64) -> f64 {
         x

@@ -59,6 +59,12 @@ fn call_routine<R: Rounding, T: Routine<Avx2<R>>>(p: Avx2<R>, routine: T) -> T::
     routine.call(p)
 }
 
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn call_operation<R: Rounding, T: Routine<Avx2<R>>>(p: Avx2<R>, routine: T) -> T::Output {
+    routine.call(p)
+}
+
 impl<R: Rounding> Sealed for Avx2<R> {}
 
 impl<R: Rounding> Lanes for Avx2<R> {
@@ -80,6 +86,11 @@ impl<R: Rounding> Lanes for Avx2<R> {
     fn call<T: Routine<Self>>(self, routine: T) -> T::Output {
         // SAFETY: the token proves the features.
         unsafe { call_routine(self, routine) }
+    }
+    #[inline(always)]
+    fn operation<T: Routine<Self>>(self, routine: T) -> T::Output {
+        // SAFETY: the token proves the features.
+        unsafe { call_operation(self, routine) }
     }
 
     #[inline(always)]

@@ -53,6 +53,12 @@ fn call_routine<R: Rounding, T: Routine<Avx512<R>>>(p: Avx512<R>, routine: T) ->
     routine.call(p)
 }
 
+#[inline]
+#[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
+fn call_operation<R: Rounding, T: Routine<Avx512<R>>>(p: Avx512<R>, routine: T) -> T::Output {
+    routine.call(p)
+}
+
 impl<R: Rounding> Sealed for Avx512<R> {}
 
 impl<R: Rounding> Lanes for Avx512<R> {
@@ -78,6 +84,11 @@ impl<R: Rounding> Lanes for Avx512<R> {
     fn call<T: Routine<Self>>(self, routine: T) -> T::Output {
         // SAFETY: as in `kernel`.
         unsafe { call_routine(self, routine) }
+    }
+    #[inline(always)]
+    fn operation<T: Routine<Self>>(self, routine: T) -> T::Output {
+        // SAFETY: as in `kernel`.
+        unsafe { call_operation(self, routine) }
     }
 
     #[inline(always)]

@@ -146,6 +146,11 @@ impl<R: Rounding> Lanes for Portable<R> {
     fn call<T: Routine<Self>>(self, routine: T) -> T::Output {
         call_routine(self, routine)
     }
+    /// Never inlined: eight-lane loops inlined hundreds of times take minutes to compile and run no faster.
+    #[inline(always)]
+    fn operation<T: Routine<Self>>(self, routine: T) -> T::Output {
+        call_routine(self, routine)
+    }
 
     #[inline(always)]
     fn splat(self, x: f64) -> F {
