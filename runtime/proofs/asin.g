@@ -15,8 +15,8 @@ B9 = 0x1.e27f6641a7e2ep-9;
 B10 = 0x1.64a4dd069bcd3p-6;
 B11 = -0x1.596cfbf2af867p-6;
 B12 = 0x1.0bb7b2f0e78f4p-5;
-q = rnd(q_in);
-z = rnd(q * q);
+# zz = q^2 for |x| < 1/2; zz = (1 - |x|)/2 and q near 2 sqrt(zz) beyond.
+z = rnd(zz);
 p11 = rnd(@(z * B12) + B11);
 p10 = rnd(@(z * p11) + B10);
 p9 = rnd(@(z * p10) + B9);
@@ -30,9 +30,19 @@ p2 = rnd(@(z * p3) + B2);
 p1 = rnd(@(z * p2) + B1);
 p0 = rnd(@(z * p1) + B0);
 t = rnd(z * p0);
+q = rnd(q_in);
+rho = rnd(rho_in);
+tail = rnd(@(q * t) + rho);
+# The sum of turned, for c > 0: c * high is exact, and so is the error of the first sum (Dekker).
+high = 0x1.921fb54442d18p-1;
+low = 0x1.1a62633145c07p-55;
+base = c * high;
+sum = rnd(base + q);
+error = q - (sum - base);
+rest = rnd(@(c * low) + tail);
+before = sum + rnd(error + rest);
 
 # The same without rounding.
-zz = q * q;
 m11 = zz * B12 + B11;
 m10 = zz * m11 + B10;
 m9 = zz * m10 + B9;
@@ -46,8 +56,14 @@ m2 = zz * m3 + B2;
 m1 = zz * m2 + B1;
 m0 = zz * m1 + B0;
 ideal = zz * m0;
+whole = (base + c * low) + (q + (q * ideal + rho));
 
-# 0.11 * 2^-53 > 1.2e-17
-{ q in [0, 0.5] -> |t - ideal| <= 1.2e-17 }
+# 0.11 * 2^-53 > 1.2e-17, 0.24 * 2^-53 > 2.6e-17
+{ zz in [0, 0.25] /\ |q| <= 1 /\ |rho| <= 1b-53 /\ c in [1, 4] ->
+  |t - ideal| <= 1.2e-17 /\ |before - whole| <= 2.6e-17 }
 
-$ q in 24;
+error -> -(sum - (base + q));
+before - whole ->
+  (rnd(error + rest) - (error + rest)) + (rest - (c * low + tail)) + (tail - (q * ideal + rho));
+
+$ zz in 16;

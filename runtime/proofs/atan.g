@@ -13,8 +13,8 @@ A7 = 0x1.df107a698961bp-5;
 A8 = -0x1.9cd7eccbda9a1p-5;
 A9 = 0x1.37e25fc43b8bcp-5;
 A10 = -0x1.258529a96db99p-6;
-q = rnd(q_in);
-z = rnd(q * q);
+# zz = q^2.
+z = rnd(zz);
 p9 = rnd(@(z * A10) + A9);
 p8 = rnd(@(z * p9) + A8);
 p7 = rnd(@(z * p8) + A7);
@@ -26,9 +26,19 @@ p2 = rnd(@(z * p3) + A2);
 p1 = rnd(@(z * p2) + A1);
 p0 = rnd(@(z * p1) + A0);
 t = rnd(z * p0);
+q = rnd(q_in);
+rho = rnd(rho_in);
+tail = rnd(@(q * t) + rnd(rho - rnd(rho * z)));
+# The sum of turned, for c > 0: c * high is exact, and so is the error of the first sum (Dekker).
+high = 0x1.921fb54442d18p-1;
+low = 0x1.1a62633145c07p-55;
+base = c * high;
+sum = rnd(base + q);
+error = q - (sum - base);
+rest = rnd(@(c * low) + tail);
+before = sum + rnd(error + rest);
 
 # The same without rounding.
-zz = q * q;
 m9 = zz * A10 + A9;
 m8 = zz * m9 + A8;
 m7 = zz * m8 + A7;
@@ -40,8 +50,14 @@ m2 = zz * m3 + A2;
 m1 = zz * m2 + A1;
 m0 = zz * m1 + A0;
 ideal = zz * m0;
+whole = (base + c * low) + (q + (q * ideal + (rho - rho * zz)));
 
-# 0.13 * 2^-53 > 1.4e-17
-{ q in [0, 0.4143] -> |t - ideal| <= 1.4e-17 }
+# 0.13 * 2^-53 > 1.4e-17, 0.12 * 2^-53 > 1.3e-17
+{ zz in [0, 0.17165] /\ |q| <= 0.4143 /\ |rho| <= 1b-51 /\ c in [1, 4] ->
+  |t - ideal| <= 1.4e-17 /\ |before - whole| <= 1.3e-17 }
 
-$ q in 24;
+error -> -(sum - (base + q));
+before - whole ->
+  (rnd(error + rest) - (error + rest)) + (rest - (c * low + tail)) + (tail - (q * ideal + (rho - rho * zz)));
+
+$ zz in 16;

@@ -76,7 +76,7 @@ prove logarithm.g "" 1.7e-19
 product="rnd("
 prove logarithm.g "" 2.26e-19
 product="("
-same atan atan "$functions/arctangent.rs"
+same atan atan "$functions/arctangent.rs" "$functions/angle.rs"
 both atan.g "" ""
 same asin asin "$functions/arcsine.rs"
 both asin.g "" ""

@@ -52,7 +52,7 @@ pub fn atan2<P: Enclose>(p: P, y: Interval<P::F>, x: Interval<P::F>) -> Interval
 }
 
 /// The least double above π.
-const PI_ABOVE: u64 = 0x4009_21fb_5444_2d19;
+const PI_ABOVE: u64 = 0x400921fb54442d19;
 
 /// Bounds of the angle of (x, y) in (−π, π], one of which may be infinite; π on the cut.
 #[inline(always)]

@@ -3,16 +3,16 @@
 //! With m = |x|, arcsin m = m + m·t for m < ½, t = z·b(z), z = m², b of degree 12 by Sollya's `fpminimax`. For m ≥ ½,
 //! arcsin m = π/2 − 2·arcsin s with s² = z = (1 − m)/2 exactly, z ≤ ¼: the same polynomial. The root of z is s + σ,
 //! σ = (z − s²)/(2s), and arcsin of it is s + (s·t + σ). Multiples of π/4 are added by [`turned`]; arccos m is
-//! π/2 − arcsin m, 2·arcsin s, or of −m π less that.
+//! π/2 − arcsin m or 2·arcsin s, and arccos(−m) is π less that.
 //!
-//! Errors besides half a unit of the last sum (`runtime/proofs`: `asin.sollya`, `asin_*.g`), u = 2⁻⁵³, q for m or 2s:
+//! Errors besides half a unit of the last sum (`runtime/proofs`: `asin.sollya`, `asin.g`), u = 2⁻⁵³, q for m or 2s:
 //!
 //! * without a multiple of π/4, as multiples of u·q: 0.11 of t, 0.048 for rounding q·t + ρ with |t| ≤ 0.0472 (twice that
 //!   without fused operations), 0.009 of the polynomial, 0.05 of σ for σ·(1 + t) with |σ| ≤ u·s, and nothing else
 //!   above 2⁻⁵⁰. Together below 0.27. A unit in the last place of v ≥ q is at least u·v, so v errs by less than one unit.
 //!   Where v is a power of two, the neighbour below is only u·v away, and then the last sum errs by half of that at most.
-//! * with one, as multiples of u: 0.17 of t, the polynomial and σ, for q ≤ 1, and 0.032 for each of four roundings below
-//!   2⁻⁴. Together below 0.3; v > 0.52, so half a unit in its last place is at least u/2.
+//! * with one, as multiples of u: 0.24 of all sums before the last one, 0.009 of the polynomial, and 0.05 of σ. Together
+//!   below 0.3; v > 0.52, so half a unit in its last place is at least u/2.
 //!
 //! So the neighbours of v enclose a point, with and without fused operations.
 

@@ -7,15 +7,14 @@
 //! * tail = q·t + (ρ − ρ·z), t = z·a(z), z = q², with a of degree 10 by Sollya's `fpminimax`,
 //! * v = c·π/4 ± (q + tail), summed by [`turned`].
 //!
-//! Errors besides half a unit of the last sum (`runtime/proofs`: `atan.sollya`, `atan_*.g`), u = 2⁻⁵³:
+//! Errors besides half a unit of the last sum (`runtime/proofs`: `atan.sollya`, `atan.g`), u = 2⁻⁵³:
 //!
 //! * c = 0, as multiples of u·q: 0.14 of t, 0.053 for rounding q·t + (ρ − ρ·z) with |t| ≤ 0.0522 (twice that without
 //!   fused operations), 0.013 of the polynomial, and 0.06 of ρ·(1 − z) for ρ/(1 + z) with |ρ| ≤ 2u·q. Together below 0.32.
 //!   A unit in the last place of v is at least u·v ≥ 0.94·u·q, so v errs by less than one unit. Where v is a power of two,
 //!   the neighbour below is only u·v away, and then the last sum errs by half of that at most.
-//! * c > 0, as multiples of u: 0.4143 times the errors of t, of the polynomial and of ρ (which is up to 4u·q for c = 1),
-//!   and 0.016 for each of four roundings below 2⁻⁵. Together below 0.18; v > 0.39, so half a unit in its last place is at
-//!   least u/4.
+//! * c > 0, as multiples of u: 0.12 of all sums before the last one, 0.005 of the polynomial, and 0.042 of ρ, which is up
+//!   to 4u·q for c = 1. Together below 0.17; v > 0.39, so half a unit in its last place is at least u/4.
 //!
 //! So the neighbours of v enclose the angle at a point, with and without fused operations.
 

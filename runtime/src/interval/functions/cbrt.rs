@@ -6,7 +6,7 @@
 //!   e = 1 − m·r₀³ is below 2⁻¹⁰·³;
 //! * r = r₀·(1 + e/3 + 2e²/9), the series of (1 − e)^(−1/3) up to its third term: r is m^(−1/3) to 0.18·e³ < 2⁻³³,
 //!   and y = m·r² is ∛m to 2⁻³²;
-//! * δ = (m − y³)·r²/3, with y³ in two pieces (`runtime/proofs/cbrt_*.g`), and v = y + δ.
+//! * δ = (m − y³)·r²/3, with y³ in two pieces (`runtime/proofs/cbrt.g`), and v = y + δ.
 //!
 //! ∛m is y·(1 + ε)^(1/3) with m = y³·(1 + ε), |ε| < 2⁻³⁰, and δ is y·ε/3 to 2⁻⁶¹·y: so is y + δ to ∛m within
 //! (2⁻⁶¹ + ε²/9)·y < 2⁻⁶⁰·y. The last sum errs by half a unit in the last place, and the rest is less than a hundredth of
