@@ -8,26 +8,6 @@ use super::{Arithmetic, Flags, Interval, Packet, Truth, Undecided};
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<P>(pub P);
 
-/// `f` on each lane.
-#[inline(always)]
-fn each<P: Packet>(p: P, x: P::F, f: fn(f64) -> f64) -> P::F {
-    let mut x = p.to_array(x);
-    for lane in &mut x[..P::LANES] {
-        *lane = f(*lane);
-    }
-    p.lanes(x)
-}
-
-/// `f` on each lane of two operands.
-#[inline(always)]
-fn each2<P: Packet>(p: P, x: P::F, y: P::F, f: fn(f64, f64) -> f64) -> P::F {
-    let (mut x, y) = (p.to_array(x), p.to_array(y));
-    for (lane, other) in x[..P::LANES].iter_mut().zip(y) {
-        *lane = f(*lane, other);
-    }
-    p.lanes(x)
-}
-
 impl<P: Packet> Arithmetic for Nearest<P> {
     type Packet = P;
     type Value = P::F;
@@ -121,20 +101,25 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         atan(a: P::F) -> P::F = p => functions::arctangent::near(p, a);
         cbrt(a: P::F) -> P::F = p => functions::cbrt::near(p, a);
         pow(a: P::F, b: P::F) -> (P::F, Flags<P>) = p =>
-            (each2(p, a, b, f64::powf), Flags::none(p));
+            (functions::real_power::anywhere(p, a, b), Flags::none(p));
         atan2(a: P::F, b: P::F) -> (P::F, Flags<P>) = p =>
             (functions::angle::near(p, a, b), Flags::none(p));
         hypot(a: P::F, b: P::F) -> P::F = p => p.sqrt_rn(p.fma_rn(a, a, p.mul_rn(b, b)));
-        exp2(a: P::F) -> P::F = p => each(p, a, f64::exp2);
-        exp_m1(a: P::F) -> P::F = p => each(p, a, f64::exp_m1);
-        sinh(a: P::F) -> P::F = p => each(p, a, f64::sinh);
-        cosh(a: P::F) -> P::F = p => each(p, a, f64::cosh);
-        tanh(a: P::F) -> P::F = p => each(p, a, f64::tanh);
-        asinh(a: P::F) -> P::F = p => each(p, a, f64::asinh);
-        ln_1p(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::ln_1p), Flags::none(p));
-        log2(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::log2), Flags::none(p));
-        log10(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::log10), Flags::none(p));
-        acosh(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::acosh), Flags::none(p));
-        atanh(a: P::F) -> (P::F, Flags<P>) = p => (each(p, a, f64::atanh), Flags::none(p));
+        exp2(a: P::F) -> P::F = p => functions::derived::exp2_anywhere(p, a);
+        exp_m1(a: P::F) -> P::F = p => functions::hyperbolic::exp_m1_anywhere(p, a);
+        sinh(a: P::F) -> P::F = p => functions::hyperbolic::sinh_anywhere(p, a);
+        cosh(a: P::F) -> P::F = p => functions::derived::cosh_anywhere(p, a);
+        tanh(a: P::F) -> P::F = p => functions::hyperbolic::tanh_anywhere(p, a);
+        asinh(a: P::F) -> P::F = p => functions::inverse_hyperbolic::asinh_anywhere(p, a);
+        ln_1p(a: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::inverse_hyperbolic::ln_1p_anywhere(p, a), Flags::none(p));
+        log2(a: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::derived::log2_anywhere(p, a), Flags::none(p));
+        log10(a: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::derived::log10_anywhere(p, a), Flags::none(p));
+        acosh(a: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::inverse_hyperbolic::acosh_anywhere(p, a), Flags::none(p));
+        atanh(a: P::F) -> (P::F, Flags<P>) = p =>
+            (functions::inverse_hyperbolic::atanh_anywhere(p, a), Flags::none(p));
     }
 }

@@ -3,7 +3,8 @@
 use super::super::enclose::Enclose;
 use super::super::lanes::WHOLE;
 use super::super::{Interval, Lanes};
-use super::exp::near;
+use super::exp::{self, near};
+use super::ln;
 
 /// ln 2 between two neighbouring doubles.
 const LN_2: Interval = Interval {
@@ -41,6 +42,18 @@ pub fn log10<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     p.i_mul_pos(constant(p, LOG10_E), p.i_ln(a))
 }
 
+/// log₂ x to a few units in the last place; NaN for x < 0 and of NaN.
+#[inline(always)]
+pub fn log2_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    p.mul_rn(p.splat(LOG2_E.lo), ln::anywhere(p, x))
+}
+
+/// log₁₀ x to a few units in the last place; NaN for x < 0 and of NaN.
+#[inline(always)]
+pub fn log10_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    p.mul_rn(p.splat(LOG10_E.lo), ln::anywhere(p, x))
+}
+
 /// cosh a = (e + 1/e)/2 with e = exp |a|, increasing in e ≥ 1, so that each bound is that of one e.
 #[inline(always)]
 pub fn cosh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
@@ -56,6 +69,25 @@ pub fn cosh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     }
 }
 
+/// cosh x to a few units in the last place; ∞ already where eˣ is, NaN of NaN.
+#[inline(always)]
+pub fn cosh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let e = exp::anywhere(p, p.abs_f(x));
+    let half = p.splat(0.5);
+    p.fma_rn(half, e, p.div_rn(half, e))
+}
+
+/// 2ˣ to a few units in the last place; 0 where it is not a normal number, NaN of NaN.
+#[inline(always)]
+pub fn exp2_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let (least, greatest) = (p.splat(LEAST), p.splat(GREATEST));
+    // Constants first: a NaN passes through.
+    let (k, f) = whole_part(p, p.max_f(least, p.min_f(greatest, x)));
+    let y = p.scale(near(p, p.mul_rn(p.splat(LN_2.lo), f)), k);
+    let y = p.select(p.lt(x, least), p.splat(0.0), y);
+    p.select(p.lt(greatest, x), p.splat(f64::INFINITY), y)
+}
+
 /// 2ᵃ
 #[inline(always)]
 pub fn exp2<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
@@ -68,20 +100,26 @@ pub fn exp2<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     }
 }
 
-/// Between these 2ˣ and its neighbours are normal numbers.
+/// Between these 2ˣ and its neighbours are normal numbers; the upper one is the double before 1024.
 const LEAST: f64 = -1021.0;
-const GREATEST: f64 = 1023.0;
+const GREATEST: f64 = f64::from_bits(0x408f_ffff_ffff_ffff);
 
 /// 2ˣ = 2ᵏ·exp((x − k)·ln 2) with k = ⌊x⌉: the difference is exact, its product with ln 2 is an interval, and of its
 /// power the neighbours are bounds; |(x − k)·ln 2| < 0.34658, the range of the proof of [`near`], where k is 0 for it.
 #[inline(always)]
 fn power_of_two<P: Enclose>(p: P, x: P::F) -> Interval<P::F> {
-    let shift = p.splat(WHOLE);
-    let k = p.sub_rn(p.add_rn(x, shift), shift);
-    let f = p.sub_rn(x, k);
+    let (k, f) = whole_part(p, x);
     let r = p.i_mul_pos(constant(p, LN_2), Interval { lo: f, hi: f });
     Interval {
         lo: p.scale(p.before(near(p, r.lo)), k),
         hi: p.scale(p.after(near(p, r.hi)), k),
     }
+}
+
+/// k = ⌊x⌉ and x − k.
+#[inline(always)]
+fn whole_part<P: Lanes>(p: P, x: P::F) -> (P::F, P::F) {
+    let shift = p.splat(WHOLE);
+    let k = p.sub_rn(p.add_rn(x, shift), shift);
+    (k, p.sub_rn(x, k))
 }

@@ -54,6 +54,14 @@ pub fn exp_m1<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     }
 }
 
+/// eˣ − 1 to a few units in the last place, for every x; NaN of NaN.
+#[inline(always)]
+pub fn exp_m1_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let beyond = p.lt(p.splat(f64::from_bits(exp::GREATEST)), x);
+    let y = p.select(beyond, p.splat(f64::INFINITY), near_exp_m1(p, x));
+    p.select(p.eq(x, x), y, x)
+}
+
 /// eˣ − 1 for x up to [`exp::GREATEST`], which stands for all above.
 #[inline(always)]
 fn near_exp_m1<P: Lanes>(p: P, x: P::F) -> P::F {
@@ -77,6 +85,16 @@ pub fn sinh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     }
 }
 
+/// sinh x to a few units in the last place, for every x; NaN of NaN.
+#[inline(always)]
+pub fn sinh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let size = p.abs_f(x);
+    let beyond = p.lt(p.splat(f64::from_bits(GREATEST_SINH)), size);
+    let infinity = with_sign_of(p, p.splat(f64::INFINITY), x);
+    let y = p.select(beyond, infinity, near_sinh(p, x));
+    p.select(p.eq(x, x), y, x)
+}
+
 /// sinh x for |x| up to [`GREATEST_SINH`], which stands for all above.
 #[inline(always)]
 fn near_sinh<P: Lanes>(p: P, x: P::F) -> P::F {
@@ -96,6 +114,12 @@ pub fn tanh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
         lo: p.max_f(lo, p.splat(-1.0)),
         hi: p.min_f(hi, p.splat(1.0)),
     }
+}
+
+/// tanh x to a few units in the last place, for every x; NaN of NaN.
+#[inline(always)]
+pub fn tanh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    p.select(p.eq(x, x), near_tanh(p, x), x)
 }
 
 /// tanh x

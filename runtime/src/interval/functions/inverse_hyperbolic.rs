@@ -33,18 +33,21 @@ struct Argument<F> {
     n: F,
 }
 
-/// The logarithms of the arguments at both bounds: one function of its own, for it is long.
-struct Logarithms<'a, F> {
-    start: &'a Argument<F>,
-    end: &'a Argument<F>,
-}
+/// The logarithms of the arguments, such as those at both bounds: one function of its own, for it is long.
+struct Logarithms<'a, F, const N: usize>(&'a [Argument<F>; N]);
 
-impl<P: Enclose> Routine<P> for Logarithms<'_, P::F> {
-    type Output = [P::F; 2];
+impl<P: Lanes, const N: usize> Routine<P> for Logarithms<'_, P::F, N> {
+    type Output = [P::F; N];
 
     #[inline(always)]
-    fn call(self, p: P) -> [P::F; 2] {
-        [ln(p, *self.start), ln(p, *self.end)]
+    fn call(self, p: P) -> [P::F; N] {
+        let mut out = [p.splat(0.0); N];
+        let mut i = 0;
+        while i < N {
+            out[i] = ln(p, self.0[i]);
+            i += 1;
+        }
+        out
     }
 }
 
@@ -61,10 +64,7 @@ fn ln<P: Lanes>(p: P, a: Argument<P::F>) -> P::F {
 /// ln(1 + a) over a > −1; the line where there is no such number.
 #[inline(always)]
 pub fn ln_1p<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
-    let [start, end] = p.call(Logarithms {
-        start: &one_plus(p, a.lo),
-        end: &one_plus(p, a.hi),
-    });
+    let [start, end] = p.call(Logarithms(&[one_plus(p, a.lo), one_plus(p, a.hi)]));
     let tiny = p.splat(TINY);
     let start = p.select(p.lt(p.abs_f(a.lo), tiny), a.lo, start);
     let end = p.select(p.lt(p.abs_f(a.hi), tiny), a.hi, end);
@@ -75,6 +75,18 @@ pub fn ln_1p<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
         lo: p.select(p.le(a.lo, pole), minus, around(p, start, 1).lo),
         hi: p.select(unbounded, plus, around(p, end, 1).hi),
     }
+}
+
+/// ln(1 + x) to a unit in the last place, for every x; NaN below −1 and of NaN.
+#[inline(always)]
+pub fn ln_1p_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let [y] = p.call(Logarithms(&[one_plus(p, x)]));
+    let y = p.select(p.lt(p.abs_f(x), p.splat(TINY)), x, y);
+    let pole = p.splat(-1.0);
+    let (minus, plus) = infinities(p);
+    let y = p.select(p.lt(pole, x), y, p.splat(f64::NAN));
+    let y = p.select(p.eq(x, plus), plus, y);
+    p.select(p.eq(x, pole), minus, y)
 }
 
 /// 1 + x exactly.
@@ -90,10 +102,10 @@ fn one_plus<P: Lanes>(p: P, x: P::F) -> Argument<P::F> {
 /// arsinh a
 #[inline(always)]
 pub fn asinh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
-    let [start, end] = p.call(Logarithms {
-        start: &with_root(p, p.abs_f(a.lo), 1.0),
-        end: &with_root(p, p.abs_f(a.hi), 1.0),
-    });
+    let [start, end] = p.call(Logarithms(&[
+        with_root(p, p.abs_f(a.lo), 1.0),
+        with_root(p, p.abs_f(a.hi), 1.0),
+    ]));
     let lo = around(p, odd(p, start, a.lo), 1).lo;
     let hi = around(p, odd(p, end, a.hi), 1).hi;
     let (minus, plus) = infinities(p);
@@ -103,14 +115,22 @@ pub fn asinh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     }
 }
 
+/// arsinh x to a unit in the last place, for every x; NaN of NaN.
+#[inline(always)]
+pub fn asinh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let [y] = p.call(Logarithms(&[with_root(p, p.abs_f(x), 1.0)]));
+    let finite = p.lt(p.abs_f(x), p.splat(f64::INFINITY));
+    p.select(finite, odd(p, y, x), x)
+}
+
 /// arcosh a over a ≥ 1; [0, 0] where there is no such number.
 #[inline(always)]
 pub fn acosh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let one = p.splat(1.0);
-    let [start, end] = p.call(Logarithms {
-        start: &with_root(p, p.max_f(a.lo, one), -1.0),
-        end: &with_root(p, p.max_f(a.hi, one), -1.0),
-    });
+    let [start, end] = p.call(Logarithms(&[
+        with_root(p, p.max_f(a.lo, one), -1.0),
+        with_root(p, p.max_f(a.hi, one), -1.0),
+    ]));
     let (_, plus) = infinities(p);
     Interval {
         lo: around(p, start, 1).lo,
@@ -118,13 +138,22 @@ pub fn acosh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     }
 }
 
+/// arcosh x to a unit in the last place, for every x; NaN below 1 and of NaN.
+#[inline(always)]
+pub fn acosh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let [y] = p.call(Logarithms(&[with_root(p, x, -1.0)]));
+    let (_, plus) = infinities(p);
+    let y = p.select(p.le(p.splat(1.0), x), y, p.splat(f64::NAN));
+    p.select(p.eq(x, plus), plus, y)
+}
+
 /// artanh a over −1 < a < 1; the line where there is no such number.
 #[inline(always)]
 pub fn atanh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
-    let [start, end] = p.call(Logarithms {
-        start: &ratio(p, p.abs_f(a.lo)),
-        end: &ratio(p, p.abs_f(a.hi)),
-    });
+    let [start, end] = p.call(Logarithms(&[
+        ratio(p, p.abs_f(a.lo)),
+        ratio(p, p.abs_f(a.hi)),
+    ]));
     let half = p.splat(0.5);
     let lo = around(p, odd(p, p.mul_rn(half, start), a.lo), 1).lo;
     let hi = around(p, odd(p, p.mul_rn(half, end), a.hi), 1).hi;
@@ -134,6 +163,18 @@ pub fn atanh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
         lo: p.select(p.le(one, p.abs_f(a.lo)), minus, lo),
         hi: p.select(p.le(one, p.abs_f(a.hi)), plus, hi),
     }
+}
+
+/// artanh x to a unit in the last place, for every x; NaN beyond ±1 and of NaN.
+#[inline(always)]
+pub fn atanh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
+    let size = p.abs_f(x);
+    let [y] = p.call(Logarithms(&[ratio(p, size)]));
+    let one = p.splat(1.0);
+    let y = odd(p, p.mul_rn(p.splat(0.5), y), x);
+    let y = p.select(p.lt(size, one), y, p.splat(f64::NAN));
+    let (_, plus) = infinities(p);
+    p.select(p.eq(size, one), with_sign_of(p, plus, x), y)
 }
 
 /// (1 + x)/(1 − x) for 0 ≤ x < 1.

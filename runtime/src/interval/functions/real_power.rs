@@ -44,11 +44,9 @@ impl<P: Enclose> Routine<P> for Power<'_, P::F> {
     fn call(self, p: P) -> Interval<P::F> {
         let (a, b) = (*self.a, *self.b);
         let (zero, one) = (p.splat(0.0), p.splat(1.0));
-        let large = p.splat(LARGE);
-        let small = p.splat(-LARGE);
         let b = Interval {
-            lo: p.max_f(p.min_f(b.lo, large), small),
-            hi: p.max_f(p.min_f(b.hi, large), small),
+            lo: exponent(p, b.lo),
+            hi: exponent(p, b.hi),
         };
         // With a logarithm below 0, the larger exponent makes the lower product.
         let start = ln(p, a.lo);
@@ -77,6 +75,36 @@ impl<P: Enclose> Routine<P> for Power<'_, P::F> {
             hi,
         }
     }
+}
+
+/// xʸ to a unit or two in the last place; NaN for x < 0 and where either is NaN.
+#[inline(always)]
+pub fn anywhere<P: Lanes>(p: P, x: P::F, y: P::F) -> P::F {
+    p.call(PlainPower { x: &x, y: &y })
+}
+
+/// One function of its own, too.
+struct PlainPower<'a, F> {
+    x: &'a F,
+    y: &'a F,
+}
+
+impl<P: Lanes> Routine<P> for PlainPower<'_, P::F> {
+    type Output = P::F;
+
+    #[inline(always)]
+    fn call(self, p: P) -> P::F {
+        let (x, y) = (*self.x, *self.y);
+        let power = exp(p, times(p, exponent(p, y), ln(p, x)));
+        let known = p.and(p.le(p.splat(0.0), x), p.eq(y, y));
+        p.select(known, power, p.splat(f64::NAN))
+    }
+}
+
+/// y, or [`LARGE`] with its sign.
+#[inline(always)]
+fn exponent<P: Lanes>(p: P, y: P::F) -> P::F {
+    p.max_f(p.min_f(y, p.splat(LARGE)), p.splat(-LARGE))
 }
 
 /// ln x for x > 0, −∞ elsewhere; ln ∞ = ∞.
