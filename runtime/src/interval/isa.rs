@@ -2,7 +2,7 @@
 
 #[cfg(target_arch = "x86_64")]
 use super::{Avx2, Avx512};
-use super::{Kernel, Lanes, Portable};
+use super::{Kernel, Lanes, Portable, environment};
 
 /// A back-end that this processor has. It is chosen once per render; [`run`](Self::run) enters it.
 #[derive(Clone, Copy, Debug)]
@@ -81,6 +81,11 @@ pub enum IsaError {
         /// The name as given.
         name: String,
     },
+    /// Someone changed how this thread computes.
+    #[error(
+        "this thread does not round to nearest, or flushes subnormal numbers to 0: no bound would hold"
+    )]
+    Environment,
     /// The back-end exists, and this processor cannot run it.
     #[error(
         "this processor has no {name}, which needs {needs}: unset ZEROSET_ISA to use the best that it has"
@@ -97,8 +102,12 @@ impl Isa {
     /// The best back-end of this processor, or the one that the environment variable `ZEROSET_ISA` names.
     ///
     /// # Errors
-    /// If the variable names no back-end, or one that this processor lacks. It is never silently replaced.
+    /// If the variable names no back-end, or one that this processor lacks: it is never silently replaced. If this
+    /// thread does not compute to nearest, or has no subnormal numbers.
     pub fn detect() -> Result<Isa, IsaError> {
+        if !environment::is_ieee() {
+            return Err(IsaError::Environment);
+        }
         match std::env::var("ZEROSET_ISA") {
             Ok(name) if !name.is_empty() => Self::named(&name),
             Err(std::env::VarError::NotUnicode(name)) => Err(IsaError::Unknown {

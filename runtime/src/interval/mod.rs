@@ -8,6 +8,7 @@ mod avx512;
 #[cfg(feature = "unrounded")]
 mod control;
 mod enclose;
+mod environment;
 mod fine;
 mod flags;
 mod forward;
