@@ -3,7 +3,7 @@
 use crate::functions::Function;
 use crate::graph::{Fold, Graph, Id, Op, Over, Scope, Undecided};
 use crate::tree::{self, Condition, Formula, Operator, Source, Term, TermKind};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A formula that the graph cannot hold.
 #[derive(Debug)]
@@ -18,6 +18,8 @@ pub struct Lowering<'a> {
     /// The graph so far.
     pub graph: Graph,
     lets: HashMap<usize, Id>,
+    /// The `let`s that spell rational numbers.
+    constants: HashSet<usize>,
     folds: HashMap<usize, usize>,
     depth: usize,
     outermost: Vec<usize>,
@@ -36,6 +38,7 @@ impl<'a> Lowering<'a> {
             formula,
             graph,
             lets,
+            constants: HashSet::new(),
             folds,
             depth: 0,
             outermost: Vec::new(),
@@ -83,8 +86,14 @@ impl<'a> Lowering<'a> {
                 self.graph.negate(a)
             }
             TermKind::Binary(operator, a, b) => {
+                // What an exponent turns out to be must not change the power's domain.
+                let real = *operator == Operator::Power && !self.is_constant(b);
                 let (a, b) = (self.term(a)?, self.term(b)?);
-                self.operator(*operator, a, b)
+                if real {
+                    self.graph.real_power(a, b)
+                } else {
+                    self.operator(*operator, a, b)
+                }
             }
             TermKind::Call(f, _, arguments) => {
                 let arguments = arguments
@@ -109,11 +118,33 @@ impl<'a> Lowering<'a> {
         }
         let formula = self.formula;
         let id = match formula.lets.get(index) {
-            Some(binding) => self.term(&binding.value)?,
+            Some(binding) => {
+                let id = self.term(&binding.value)?;
+                if self.is_constant(&binding.value) {
+                    self.constants.insert(index);
+                }
+                id
+            }
             None => self.graph.integer(0),
         };
         self.lets.insert(index, id);
         Ok(id)
+    }
+
+    /// Is a rational number spelt out?
+    fn is_constant(&self, term: &Term) -> bool {
+        match &term.kind {
+            TermKind::Number(_) => true,
+            TermKind::Let(index, _) => self.constants.contains(index),
+            TermKind::Negate(a) | TermKind::Block(_, a) => self.is_constant(a),
+            TermKind::Binary(_, a, b) => self.is_constant(a) && self.is_constant(b),
+            TermKind::Call(
+                Function::Abs | Function::Recip | Function::Min | Function::Max,
+                _,
+                arguments,
+            ) => arguments.iter().all(|a| self.is_constant(a)),
+            _ => false,
+        }
     }
 
     fn operator(&mut self, operator: Operator, a: Id, b: Id) -> Id {

@@ -73,7 +73,7 @@ impl Staged {
             (Op::Multiply(..), &[a, b]) => graph.multiply(a, b),
             (Op::Divide(..), &[a, b]) => graph.divide(a, b),
             (Op::Power(_, n), &[a]) => graph.power(a, n),
-            (Op::RealPower(..), &[a, b]) => graph.raise(a, b),
+            (Op::RealPower(..), &[a, b]) => graph.real_power(a, b),
             (Op::Unary(f, _), &[a]) => graph.unary(f, a),
             (Op::Binary(f, ..), &[a, b]) => graph.binary(f, a, b),
             (Op::AbsSlope(_), &[a]) => graph.abs_slope(a),

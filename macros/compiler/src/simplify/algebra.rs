@@ -210,8 +210,8 @@ impl Graph {
     /// a^b for any b: whole exponents are powers or their reciprocals, halves go through the square root (the same
     /// value on the same domain), the rest is exp(b·ln a) on its domain.
     pub fn raise(&mut self, a: Id, b: Id) -> Id {
-        let Some(e) = self.literal(b).cloned() else {
-            return self.node(Op::RealPower(a, b), None, Sign::NonNegative, true);
+        let Some(e) = self.rational(b) else {
+            return self.real_power(a, b);
         };
         let doubled = &e + &e;
         let n = doubled
@@ -219,7 +219,7 @@ impl Graph {
             .then(|| doubled.numer().abs().to_u32())
             .flatten();
         let Some(n) = n else {
-            return self.node(Op::RealPower(a, b), None, Sign::NonNegative, true);
+            return self.real_power(a, b);
         };
         let magnitude = if n.is_multiple_of(2) {
             self.power(a, n / 2)
@@ -232,6 +232,27 @@ impl Graph {
         } else {
             magnitude
         }
+    }
+
+    /// exp(b·ln a) on a > 0, and 0 for a = 0 < b.
+    pub fn real_power(&mut self, a: Id, b: Id) -> Id {
+        self.node(Op::RealPower(a, b), None, Sign::NonNegative, true)
+    }
+
+    /// The number of an expression of literals. Simplified, it is one literal already.
+    fn rational(&self, id: Id) -> Option<BigRational> {
+        Some(match *self.op(id) {
+            Op::Literal(ref r) => r.clone(),
+            Op::Negate(a) => -self.rational(a)?,
+            Op::Add(a, b) => self.rational(a)? + self.rational(b)?,
+            Op::Subtract(a, b) => self.rational(a)? - self.rational(b)?,
+            Op::Multiply(a, b) => self.rational(a)? * self.rational(b)?,
+            Op::Divide(a, b) => {
+                let b = self.rational(b).filter(|b| !b.is_zero())?;
+                self.rational(a)? / b
+            }
+            _ => return None,
+        })
     }
 
     /// A fold, with the arguments as in [`Op::Fold`].
