@@ -20,7 +20,7 @@ use super::super::enclose::Enclose;
 use super::super::{Interval, Lanes};
 use super::arctangent::{negate_if, odd_part, turned};
 use super::neighbours::{around, with_sign_of};
-use super::two_fold::two_product;
+use super::two_fold::remainder;
 
 /// b, from the constant coefficient on.
 const B: [u64; 13] = [
@@ -52,12 +52,7 @@ fn arc<P: Lanes>(p: P, m: P::F) -> Arc<P> {
     let far = p.le(half, m);
     let outer = p.mul_rn(p.sub_rn(p.splat(1.0), m), half);
     let s = p.sqrt_rn(outer);
-    let rest = if P::FUSED {
-        p.fma_rn(p.neg_f(s), s, outer)
-    } else {
-        let (h, l) = two_product(p, s, s);
-        p.sub_rn(p.sub_rn(outer, h), l)
-    };
+    let rest = remainder(p, outer, s, s);
     // 2σ; at |x| = 1 0/tiny.
     let sigma = p.div_rn(rest, p.max_f(s, p.splat(f64::MIN_POSITIVE)));
     let q = p.select(far, p.add_rn(s, s), m);

@@ -21,7 +21,7 @@
 use super::super::enclose::Enclose;
 use super::super::{Interval, Lanes};
 use super::neighbours::{around, with_sign_of};
-use super::two_fold::{Sum, quotient};
+use super::two_fold::{Sum, fast_two_sum, quotient};
 
 /// a, from the constant coefficient on.
 const A: [u64; 11] = [
@@ -49,10 +49,9 @@ const TURN: u64 = 0x3fda8240b780346e;
 #[inline(always)]
 pub fn turned<P: Lanes>(p: P, c: P::F, q: P::F, tail: P::F) -> P::F {
     let base = p.mul_rn(c, p.splat(f64::from_bits(EIGHTH)));
-    let sum = p.add_rn(base, q);
-    let error = p.sub_rn(q, p.sub_rn(sum, base));
+    let sum = fast_two_sum(p, base, q);
     let rest = p.fma_rn(c, p.splat(f64::from_bits(EIGHTH_REST)), tail);
-    p.add_rn(sum, p.add_rn(error, rest))
+    p.add_rn(sum.high, p.add_rn(sum.low, rest))
 }
 
 /// z·(polynomial of z), coefficients from the constant one on.
@@ -84,18 +83,17 @@ pub fn angle<P: Lanes>(p: P, n: P::F, d: P::F, left: P::M) -> P::F {
     let steep = p.lt(d, n);
     let (less, more) = (p.min_f(n, d), p.max_f(n, d));
     let turn = p.lt(p.mul_rn(more, p.splat(f64::from_bits(TURN))), less);
-    let (difference, sum) = (p.sub_rn(less, more), p.add_rn(less, more));
-    let difference_rest = p.sub_rn(less, p.add_rn(difference, more));
-    let sum_rest = p.sub_rn(less, p.sub_rn(sum, more));
+    let difference = fast_two_sum(p, p.neg_f(more), less);
+    let sum = fast_two_sum(p, more, less);
     let ratio = quotient(
         p,
         Sum {
-            high: p.select(turn, difference, less),
-            low: p.select(turn, difference_rest, zero),
+            high: p.select(turn, difference.high, less),
+            low: p.select(turn, difference.low, zero),
         },
         Sum {
-            high: p.select(turn, sum, more),
-            low: p.select(turn, sum_rest, zero),
+            high: p.select(turn, sum.high, more),
+            low: p.select(turn, sum.low, zero),
         },
     );
     let q = ratio.high;

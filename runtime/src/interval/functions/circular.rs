@@ -106,8 +106,8 @@ fn sine_at<P: Lanes>(p: P, x: P::F, quarters: f64) -> Point<P> {
     let shifted = p.add_rn(k, p.splat(WHOLE));
     let (cosine, back) = (p.bit::<0>(shifted), p.bit::<1>(shifted));
     let (s, c) = quarter_wave(p, reduced, negative);
-    let high = p.select(cosine, c.high, s.high);
-    let m = p.add_rn(high, p.select(cosine, c.low, s.low));
+    let (s, c) = (p.add_rn(s.high, s.low), p.add_rn(c.high, c.low));
+    let m = p.select(cosine, c, s);
     // sin(r) is odd, cos(r) even.
     let flip = exclusive(p, back, p.and_not(negative, cosine));
     Point {

@@ -14,7 +14,7 @@ use super::super::{Interval, Lanes};
 use super::circular::{exclusive, odd_multiples_below, quarter_wave};
 use super::neighbours::around;
 use super::remainder::reduce;
-use super::two_fold::{Sum, quotient};
+use super::two_fold::{Sum, fast_two_sum, quotient};
 
 /// The tangent at one point per lane, and the number of poles below it as in [`odd_multiples_below`].
 struct Point<P: Lanes> {
@@ -54,7 +54,8 @@ fn tangent_at<P: Lanes>(p: P, x: P::F) -> Point<P> {
     let negative = p.lt(reduced.r, p.splat(0.0));
     let swap = p.bit::<0>(p.add_rn(k, p.splat(WHOLE)));
     let (s, c) = quarter_wave(p, reduced, negative);
-    let (s, c) = (normal(p, s), normal(p, c));
+    let s = fast_two_sum(p, s.high, s.low);
+    let c = fast_two_sum(p, c.high, c.low);
     // No double but 0 is a multiple of π/2, so a divisor is positive.
     let ratio = quotient(p, select(p, swap, c, s), select(p, swap, s, c));
     let v = p.add_rn(ratio.high, ratio.low);
@@ -62,16 +63,6 @@ fn tangent_at<P: Lanes>(p: P, x: P::F) -> Point<P> {
     Point {
         value: p.select(flip, p.neg_f(v), v),
         n: odd_multiples_below(p, k, negative),
-    }
-}
-
-/// The same sum, its larger part rounded from both: exactly, because the larger part is.
-#[inline(always)]
-fn normal<P: Lanes>(p: P, a: Sum<P::F>) -> Sum<P::F> {
-    let high = p.add_rn(a.high, a.low);
-    Sum {
-        high,
-        low: p.sub_rn(a.low, p.sub_rn(high, a.high)),
     }
 }
 
