@@ -47,7 +47,7 @@ pub fn width(name: &str, backend: &str) -> u64 {
         // Where the quotient is tiny.
         "atan2" => 6,
         "hypot" if optimal => 8,
-        "hypot" => 16,
+        "hypot" => 12,
         _ => 12,
     }
 }

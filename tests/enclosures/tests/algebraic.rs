@@ -109,7 +109,7 @@ fn enclosures_of_points_are_tight() {
             let promised = match operation {
                 Operation::Cbrt => 2,
                 _ if backend.is_optimal() => 8,
-                _ => 16,
+                _ => 12,
             };
             assert!(
                 worst <= promised,
