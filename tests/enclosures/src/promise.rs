@@ -41,9 +41,9 @@ pub fn width(name: &str, backend: &str) -> u64 {
         "ln" | "sin" | "cos" if fused => 2,
         "ln" | "sin" | "cos" => 4,
         "ln_1p" | "asinh" | "acosh" | "atanh" => 2,
-        "tan" | "exp_m1" => 4,
+        "tan" | "exp_m1" | "sinh" | "tanh" => 4,
         "pow" if fused => 4,
-        "pow" | "sinh" | "tanh" => 6,
+        "pow" => 6,
         // Where the quotient is tiny.
         "atan2" => 6,
         "hypot" if optimal => 8,
