@@ -59,6 +59,12 @@ impl Ball {
             .add(Ball::exact(origin))
     }
 
+    /// The scalar product of a gradient with a direction.
+    pub(crate) fn dot(gradient: &[Ball; 3], direction: &[f64; 3]) -> Ball {
+        let [x, y, z] = [0, 1, 2].map(|k| gradient[k].multiply(Ball::exact(direction[k])));
+        x.add(y).add(z)
+    }
+
     fn new(hi: f64, lo: f64, radius: f64) -> Ball {
         let radius = radius * UP;
         if hi.is_finite() && lo.is_finite() && radius.is_finite() {

@@ -16,8 +16,8 @@ pub(crate) trait Along<P: Packet> {
     fn point(&self, p: P, t: &At<P::F>) -> Enclosed<P, 1>;
     /// f and f' at `t` in plain floats.
     fn float(&self, p: P, t: &At<P::F>) -> [P::F; 2];
-    /// f at a point of space in twice the precision.
-    fn fine(&self, point: &[Ball; 3]) -> (Ball, Flags<Scalar>);
+    /// f and its gradient at a point of space in twice the precision.
+    fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>);
 }
 
 /// f along the rays of one packet, counted.
@@ -43,7 +43,7 @@ pub struct Evaluations {
     pub point: u64,
     /// f and f' in plain floats.
     pub float: u64,
-    /// Signs of f at points, in twice the precision.
+    /// f and f' at points, in twice the precision.
     pub fine: u64,
     /// Gradients in space, in plain floats.
     pub gradient: u64,

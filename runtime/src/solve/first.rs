@@ -4,7 +4,7 @@ use core::any::Any;
 use core::marker::PhantomData;
 
 use super::march::{Range, give_up, march};
-use super::sharpen::{Wide, sharpen};
+use super::sharpen::{Second, sharpen};
 use super::{Events, Field, Refine, Settings, select};
 use crate::contract::{Auto, Contractor};
 #[cfg(feature = "unrounded")]
@@ -41,7 +41,7 @@ pub(crate) struct Roots<P: Packet> {
 #[derive(Clone, Copy)]
 pub struct Solver<P: Packet> {
     search: fn(Job<'_, P>) -> Roots<P>,
-    sharpen: fn(Wide<'_, P>, &mut Interval<P::F>),
+    sharpen: fn(Second<'_, P>, &mut Interval<P::F>),
 }
 
 impl<P: Packet> Solver<P> {
@@ -69,10 +69,10 @@ impl<P: Packet> Solver<P> {
         (self.search)(job)
     }
 
-    /// Narrows roots in twice the precision.
+    /// Looks again in twice the precision, at roots and at events.
     #[inline(always)]
-    pub(crate) fn sharpen(self, wide: Wide<'_, P>, t: &mut Interval<P::F>) {
-        (self.sharpen)(wide, t);
+    pub(crate) fn sharpen(self, second: Second<'_, P>, t: &mut Interval<P::F>) {
+        (self.sharpen)(second, t);
     }
 }
 

@@ -16,7 +16,7 @@ pub use field::{
 pub(crate) use first::{Job, Roots, Solver};
 pub(crate) use march::Events;
 pub(crate) use quadric::closed_form;
-pub(crate) use sharpen::{WIDE, Wide};
+pub(crate) use sharpen::{Second, WIDE};
 
 use refine::Refine;
 

@@ -29,9 +29,9 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
         float(At<P::F>) -> [P::F; 2] = Float;
     }
 
-    fn fine(&self, point: &[Ball; 3]) -> (Ball, Flags<Scalar>) {
+    fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>) {
         let f = S::gradient(Fine, self.prepared, *point);
-        (f.d[0], f.flags)
+        (f.d, f.flags)
     }
 }
 

@@ -12,7 +12,7 @@ pub(crate) use tile::TraceTile;
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};
 use crate::solve::{
-    Evaluations, Events, Field, Job, Roots, Settings, Solver, WIDE, Wide, closed_form, select,
+    Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form, select,
 };
 use crate::surface::{Active, Surface};
 use entries::Entries;
@@ -60,15 +60,16 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
         let mut roots = self.found(p);
         let width = p.sub_ru(roots.t.hi, roots.t.lo);
         let wide = p.and(roots.hit, p.lt(p.splat(WIDE), width));
-        if p.any(wide) {
+        if p.any(wide) || self.events.touched != 0 {
             let OnRays { entries, counts } = self.surface;
-            let wide = Wide {
+            let second = Second {
                 field: Field::new(p, entries, counts),
                 lines: self.lines,
                 entry: self.entry,
-                lanes: p.bits(wide),
+                wide: p.bits(wide),
+                events: self.events,
             };
-            self.solver.sharpen(wide, &mut roots.t);
+            self.solver.sharpen(second, &mut roots.t);
         }
         roots
     }

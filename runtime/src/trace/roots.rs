@@ -106,6 +106,12 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
                 break;
             }
         }
+        if self.first_only {
+            let first = trail.events.iter().position(Verdict::is_certain_hit);
+            trail
+                .events
+                .truncate(first.map_or(usize::MAX, |hit| hit + 1));
+        }
         trail
     }
 }

@@ -149,7 +149,7 @@ fn keep<P: Packet>(p: P, packet: &mut PacketRays, hit: P::M, t: &Interval<P::F>,
     }
 }
 
-/// Moves a packet's events to the tile. A sign change is a hit: nothing behind it is of interest.
+/// Moves a packet's events to the tile. Nothing behind a certain hit is of interest.
 #[cold]
 fn collect(
     packet: &mut PacketRays,
@@ -171,7 +171,7 @@ fn collect(
                 surface: index,
                 verdict,
             });
-            if let Verdict::Crossing { t } = verdict {
+            if let Verdict::Crossing { t } | Verdict::Root { t } = verdict {
                 packet.limit[i] = packet.limit[i].min(t.hi);
             }
         }

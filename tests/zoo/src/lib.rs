@@ -85,9 +85,9 @@ zoo! {
     "decocube" in 1.3: s::Decocube;
     "icosahedral" in 4.77: s::Icosahedral::default();
     "superquadric" in 1.3: s::Superquadric;
-    "gyroid" in (TAU): s::Gyroid;
-    "schwarz_p" in (TAU): s::SchwarzP;
-    "schwarz_d" in (TAU): s::SchwarzD;
+    "gyroid" in TAU: s::Gyroid;
+    "schwarz_p" in TAU: s::SchwarzP;
+    "schwarz_d" in TAU: s::SchwarzD;
     "blobby" in 2.5: s::Blobby;
     "scherk" in 10.0: s::Scherk;
     "exponentials" in 1.0: s::Exponentials { blobs: s::BLOBS };
