@@ -1,6 +1,6 @@
 //! eˣ − 1, sinh and tanh on packets, from one reduction, proved.
 //!
-//! With k, r₁ and t as in [`exp`](super::exp), eˣ = 2ᵏ·(1 + s) with s near r₁ + t. Everything here is made of
+//! With k, r₁ and t as in [`exp`], eˣ = 2ᵏ·(1 + s) with s near r₁ + t. Everything here is made of
 //! g = 2⁻ᵏ and w = 2⁻ᵏ·(eˣ − 1) = (1 − g) + s, which in doubles is
 //!
 //! * c = 1 − g, h + l = c + r₁ exactly (|c| ≥ ½ or c = 0), w + w′ = h + (l + t).
@@ -50,7 +50,7 @@ fn share<P: Lanes>(p: P, w: Sum<P::F>, c: P::F) -> Sum<P::F> {
     quotient(p, w, Sum { low, ..d })
 }
 
-/// eᵃ − 1: two units in the last place on either side.
+/// eᵃ − 1: two units in the last place on either side (see the head of this file).
 #[inline(always)]
 pub fn exp_m1<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let greatest = p.splat(f64::from_bits(exp::GREATEST));
@@ -79,7 +79,7 @@ fn near_exp_m1<P: Lanes>(p: P, x: P::F) -> P::F {
     p.scale(w.high, k)
 }
 
-/// sinh a: two units in the last place on either side.
+/// sinh a: two units in the last place on either side (see the head of this file).
 #[inline(always)]
 pub fn sinh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let greatest = p.splat(f64::from_bits(GREATEST_SINH));
@@ -115,7 +115,7 @@ fn near_sinh<P: Lanes>(p: P, x: P::F) -> P::F {
     with_sign_of(p, y, x)
 }
 
-/// tanh a: two units in the last place on either side, and not beyond ±1.
+/// tanh a: two units in the last place on either side (see the head of this file), and not beyond ±1.
 #[inline(always)]
 pub fn tanh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let lo = around(p, near_tanh(p, a.lo), 2).lo;

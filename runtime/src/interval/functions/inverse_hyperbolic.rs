@@ -62,6 +62,7 @@ fn ln<P: Lanes>(p: P, a: Argument<P::F>) -> P::F {
 }
 
 /// ln(1 + a) over a > −1; the line where there is no such number.
+/// One unit in the last place on either side (see the head of this file).
 #[inline(always)]
 pub fn ln_1p<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let [start, end] = p.call(Logarithms(&[one_plus(p, a.lo), one_plus(p, a.hi)]));
@@ -99,7 +100,7 @@ fn one_plus<P: Lanes>(p: P, x: P::F) -> Argument<P::F> {
     Argument { x, n }
 }
 
-/// arsinh a
+/// arsinh a. One unit in the last place on either side (see the head of this file).
 #[inline(always)]
 pub fn asinh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let [start, end] = p.call(Logarithms(&[
@@ -124,6 +125,7 @@ pub fn asinh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
 }
 
 /// arcosh a over a ≥ 1; [0, 0] where there is no such number.
+/// One unit in the last place on either side (see the head of this file).
 #[inline(always)]
 pub fn acosh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let one = p.splat(1.0);
@@ -148,6 +150,7 @@ pub fn acosh_anywhere<P: Lanes>(p: P, x: P::F) -> P::F {
 }
 
 /// artanh a over −1 < a < 1; the line where there is no such number.
+/// One unit in the last place on either side (see the head of this file).
 #[inline(always)]
 pub fn atanh<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let [start, end] = p.call(Logarithms(&[
