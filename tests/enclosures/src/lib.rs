@@ -8,3 +8,4 @@ pub mod operand;
 pub mod operation;
 pub mod promise;
 pub mod survey;
+pub mod truth;

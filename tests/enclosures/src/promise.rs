@@ -46,6 +46,12 @@ pub fn width(name: &str, backend: &str) -> u64 {
         "pow" => 6,
         // Where the quotient is tiny.
         "atan2" => 6,
+        "exp2" => 4,
+        "log2" | "log10" if optimal => 6,
+        "log2" | "log10" if fused => 7,
+        "log2" | "log10" => 11,
+        "cosh" if optimal => 3,
+        "cosh" => 5,
         "hypot" if optimal => 8,
         "hypot" => 12,
         _ => 12,
