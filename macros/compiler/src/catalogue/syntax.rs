@@ -11,8 +11,18 @@ messages! {
     value_found(found: &str) "expected a value, found `{found}`";
     /// `x y`, `2(x + y)`
     juxtaposed() "expected an operator before this" => "use `*`";
-    /// `x, y`
+    /// `x @ y`
     unexpected(found: &str) "expected an operator, found `{found}`";
+    /// `x^2 = 1,`
+    last_comma() "expected an operator, found `,`" => "remove the `,`";
+    /// `x, y`
+    comma() "expected an operator, found `,`" => "a formula is one value, not a list of them";
+    /// `t[0, 1]`
+    index_comma() "expected an operator, found `,`" => "each index has its own brackets: `t[i][j]`";
+    /// `1,5`
+    decimal_comma(instead: &str) "expected an operator, found `,`" => "a decimal is written with a point: `{instead}`";
+    /// `x if x > 0 else y`
+    value_before_if() "an `if` stands before its values" => "write `if … {{ a }} else {{ b }}`";
     /// `x = y = z`
     second_equation() "a formula has at most one `=`";
     /// `sin(x = 1)`
@@ -31,6 +41,8 @@ messages! {
     let_mut() "bindings in a formula cannot be `mut`" => "remove `mut`";
     /// `let 2 = x;`
     let_name(found: &str) "expected a name after `let`, found `{found}`";
+    /// `let [a, b] = t;`
+    let_pattern(example: &str) "a `let` names one value" => "write `{example}`";
     /// `let a: f64 = x;`
     let_type() "bindings in a formula carry no type" => "remove the type";
     /// `let a x;`
@@ -63,6 +75,10 @@ messages! {
         => "the coordinates are `x`, `y` and `z`, the numbers of a table `t[0]`, `t[1]` and so on";
     /// `let f(t) = t^2;`, `fn f(t: f64) -> f64 { t*t }`
     function_inside() "functions cannot be defined inside a formula" => "name values with `let`";
+    /// `let f = |t| t^2;`
+    closure() "a formula has no closures" => "name values with `let`";
+    /// `return x^2`
+    return_value() "`return` is not part of a formula" => "remove it: the last value is the formula's";
     /// `const A = 2;`
     not_let(word: &str, name: &str) "`{word}` is not part of a formula" => "write `let {name} = …;`";
     /// `use std::f64::consts::PI;`

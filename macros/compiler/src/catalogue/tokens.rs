@@ -13,7 +13,7 @@ messages! {
     /// `x << 2`
     shift(operator: &str) "`{operator}` is not defined on numbers" => "multiply by a power: `2^n`";
     /// `!x`
-    not() "`!` is not defined on numbers" => "the complement of a solid is `-f`";
+    not(operator: &str) "`{operator}` is not defined on numbers" => "the complement of a solid is `-f`";
     /// `x % 2`
     remainder() "`%` is not available" => "a remainder jumps, so its derivative has no enclosure";
     /// `a == b`
@@ -34,6 +34,9 @@ messages! {
     ternary() "`?` is not an operator here" => "write `if c {{ a }} else {{ b }}`";
     /// `f64::sin(x)`
     path(instead: &str) "paths are not known inside a formula" => "write `{instead}`";
+    /// `S.r`
+    member_of_surface(surface: &str, field: &str) "`{surface}` is no value of the formula"
+        => "fields stand by their names alone: `{field}`";
     /// `self.r`
     this() "a formula has no `self`" => "fields stand by their names alone";
     /// `vec![x]`

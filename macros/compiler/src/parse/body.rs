@@ -1,10 +1,11 @@
 //! `let`s, then a value or an equation.
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, digits};
 use super::token::{Token, TokenKind};
 use super::{Parser, error, keyword, name};
 use crate::ast::{Body, Expr, ExprKind, Let, Name};
 use crate::catalogue::{syntax, tokens};
+use crate::diagnostic::{Diagnostic, Place};
 use proc_macro2::Delimiter;
 
 impl Parser<'_> {
@@ -13,8 +14,8 @@ impl Parser<'_> {
         let mut lets = Vec::new();
         loop {
             self.stray_attributes(cursor);
-            while let Some(binding) = self.binding_or_item(cursor) {
-                lets.push(binding);
+            while let Some(bindings) = self.binding_or_item(cursor) {
+                lets.extend(bindings);
                 self.stray_attributes(cursor);
             }
             if self.second_surface(cursor) {
@@ -36,6 +37,9 @@ impl Parser<'_> {
                 };
             }
             let mistakes = self.diagnostics.len();
+            if let Some(place) = cursor.eat_word("return") {
+                self.report(syntax::return_value(place));
+            }
             let left = self.expression(cursor);
             let right = self.equation(cursor);
             self.leftover(cursor, &[";"]);
@@ -153,17 +157,24 @@ impl Parser<'_> {
                 tokens::assignment(place, cursor.operator(0))
             }
             "{" | "(" | "[" => syntax::juxtaposed(place),
+            "," => comma(cursor, place),
             text => syntax::unexpected(place, text),
         });
         cursor.skip_to(separators);
     }
 
     /// `let name = value;`, or an item in its place.
-    fn binding_or_item(&mut self, cursor: &mut Cursor) -> Option<Let> {
-        if cursor.at_word("let") {
-            return Some(self.binding(cursor));
+    fn binding_or_item(&mut self, cursor: &mut Cursor) -> Option<Vec<Let>> {
+        if !cursor.at_word("let") {
+            return self.item(cursor).map(|item| vec![item]);
         }
-        self.item(cursor)
+        match cursor.peek(1) {
+            Some(TokenKind::Group(group)) => {
+                let group = group.clone();
+                Some(self.let_pattern(cursor, &group))
+            }
+            _ => Some(vec![self.binding(cursor)]),
+        }
     }
 
     /// `let name = value;`
@@ -195,6 +206,9 @@ impl Parser<'_> {
                     written: true,
                 };
             }
+        }
+        if let Some(closure) = self.closure(cursor, &name) {
+            return closure;
         }
         let mistakes = self.diagnostics.len();
         cursor.unended = !cursor.semicolon_ahead();
@@ -252,6 +266,18 @@ impl Parser<'_> {
             self.leftover(cursor, &[";"]);
             cursor.eat(";");
         }
+    }
+}
+
+/// A comma where an operator should be.
+fn comma(cursor: &Cursor, place: Place) -> Diagnostic {
+    match (cursor.last_digits(), cursor.peek(1).and_then(digits)) {
+        _ if cursor.closing == "]" => syntax::index_comma(place),
+        (Some(whole), Some(fraction)) => {
+            syntax::decimal_comma(place, &format!("{whole}.{fraction}"))
+        }
+        _ if cursor.token(1).is_none() => syntax::last_comma(place),
+        _ => syntax::comma(place),
     }
 }
 

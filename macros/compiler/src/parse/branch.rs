@@ -27,6 +27,11 @@ impl Parser<'_> {
             self.deeper(cursor, Self::branch)
                 .unwrap_or_else(|| error(place, Vec::new()))
         } else {
+            // Braces that lack twice are one mistake.
+            let braces = cursor.group(0, Delimiter::Brace).is_some();
+            if then.is_error() && !braces {
+                self.echo(cursor.last());
+            }
             self.branch_block(cursor)
         };
         let place = place.to(cursor.last());

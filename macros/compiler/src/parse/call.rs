@@ -95,6 +95,19 @@ impl Parser<'_> {
             // `p.x` is one mistake, even if there is no `p`.
             return error(whole, Vec::new());
         }
+        if let ExprKind::Name(surface) = &receiver.kind
+            && surface.text.starts_with(|c: char| c.is_uppercase())
+            && surface.text.len() > 1
+            && Function::find(&member.text).is_none()
+        {
+            let place = surface.place;
+            self.report(tokens::member_of_surface(
+                place,
+                &surface.text,
+                &member.text,
+            ));
+            return error(whole, Vec::new());
+        }
         let method = Function::find(&member.text).map_or("sin", |f| f.entry().name);
         self.report(syntax::member(member.place, &member.text, method));
         error(whole, vec![receiver])

@@ -15,6 +15,8 @@ pub struct Cursor {
     taken: Rc<Cell<u32>>,
     /// The token taken last, and its text if it is an operator.
     last: Option<(Place, &'static str)>,
+    /// The token taken last, if it is a number's digits alone.
+    digits: Option<String>,
     /// The end of the group.
     close: Span,
     /// The closing bracket, or an empty text for the whole input.
@@ -37,6 +39,7 @@ impl Cursor {
             rest,
             taken: Rc::default(),
             last: None,
+            digits: None,
             close,
             closing: "",
             bars: 0,
@@ -64,6 +67,7 @@ impl Cursor {
             rest,
             taken: Rc::clone(&self.taken),
             last: None,
+            digits: None,
             close,
             closing,
             bars: 0,
@@ -149,6 +153,7 @@ impl Cursor {
             _ => place,
         };
         self.last = Some((last, text));
+        self.digits = digits(&token.kind);
         Some((token.kind, place))
     }
 
@@ -191,6 +196,11 @@ impl Cursor {
         self.last.map_or("", |(_, text)| text)
     }
 
+    /// The digits taken last, if the last token was nothing else.
+    pub fn last_digits(&self) -> Option<&str> {
+        self.digits.as_deref()
+    }
+
     /// Skips to the next `separator` (which stays) or to the end.
     pub fn skip_to(&mut self, separators: &[&str]) {
         while !self.at_end() && !separators.contains(&self.operator(0)) {
@@ -213,5 +223,16 @@ impl Cursor {
             }
         }
         false
+    }
+}
+
+/// The digits that a number consists of, if it has neither point nor exponent.
+pub fn digits(token: &TokenKind) -> Option<String> {
+    match token {
+        TokenKind::Literal(literal) => {
+            let text = literal.to_string();
+            text.bytes().all(|b| b.is_ascii_digit()).then_some(text)
+        }
+        _ => None,
     }
 }

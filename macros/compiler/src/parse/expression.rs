@@ -9,7 +9,7 @@ use super::cursor::Cursor;
 use super::token::TokenKind;
 use super::{Parser, error};
 use crate::ast::{Comparison, Expr, ExprKind, Logic};
-use crate::catalogue::{syntax, tokens};
+use crate::catalogue::{names, syntax, tokens};
 use crate::diagnostic::Place;
 use crate::tree::Operator;
 use proc_macro2::Delimiter;
@@ -72,12 +72,32 @@ impl Parser<'_> {
                 cursor.take();
                 rest.push((join, self.operators(cursor, found + 1)));
             } else {
-                let operand = self.unary(cursor);
-                self.report(syntax::juxtaposed(operand.place));
+                let operand = self.second_operand(cursor);
                 rest.push((join, operand));
             }
         }
         self.chain(first, rest)
+    }
+
+    /// An operand that lacks its operator.
+    fn second_operand(&mut self, cursor: &mut Cursor) -> Expr {
+        if !cursor.at_word("if") {
+            let operand = self.unary(cursor);
+            self.report(syntax::juxtaposed(operand.place));
+            return operand;
+        }
+        // `a if c else b`
+        self.report(syntax::value_before_if(cursor.place()));
+        cursor.take();
+        let condition = self.expression(cursor);
+        let mut parts = vec![condition];
+        if cursor.group(0, Delimiter::Brace).is_some() {
+            parts.push(self.expression(cursor));
+        }
+        if cursor.eat_word("else").is_some() && !cursor.at_end() {
+            parts.push(self.expression(cursor));
+        }
+        error(cursor.last(), parts)
     }
 
     /// The operator ahead, or the operand that lacks one, with its precedence.
@@ -102,6 +122,7 @@ impl Parser<'_> {
             "%" | "<<" | ">>" => operator(PRODUCT, Join::Mistake),
             "" if cursor.at_word("or") => operator(OR, Join::Mistake),
             "" if cursor.at_word("and") => operator(AND, Join::Mistake),
+            "" if foreign_word(cursor) => operator(PRODUCT, Join::Mistake),
             "" if self.operand_ahead(cursor) => Some((PRODUCT, Next::Operand)),
             _ => None,
         }
@@ -137,6 +158,16 @@ impl Parser<'_> {
                 self.report(tokens::equality_test(place, operator))
             }
             operator @ ("==" | "!=") => self.report(tokens::double_equals(place, operator)),
+            _ if foreign_word(cursor) => self.report(match cursor.at_word("mod") {
+                true => names::jumps(place, "mod"),
+                false => tokens::bit_operator(place, "xor"),
+            }),
+            _ if !cursor.condition && cursor.at_word("and") => {
+                self.report(tokens::bit_operator(place, "and"));
+            }
+            _ if !cursor.condition && cursor.at_word("or") => {
+                self.report(tokens::bit_operator(place, "or"));
+            }
             _ if cursor.at_word("and") => self.report(tokens::word_operator(place, "and", "&&")),
             _ if cursor.at_word("or") => self.report(tokens::word_operator(place, "or", "||")),
             _ => {}
@@ -179,6 +210,11 @@ impl Parser<'_> {
         let kind = ExprKind::Binary(Operator::Power, Box::new(base), Box::new(exponent));
         self.expr(kind, place)
     }
+}
+
+/// Words that are operators in other languages.
+fn foreign_word(cursor: &Cursor) -> bool {
+    (cursor.at_word("mod") || cursor.at_word("xor")) && cursor.token(1).is_some()
 }
 
 /// Is this a comparison?

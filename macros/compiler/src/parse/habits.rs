@@ -20,8 +20,11 @@ impl Parser<'_> {
         }
         let operand = !matches!(cursor.peek(0), Some(TokenKind::Group(_)));
         let operand = operand && self.operand_ahead(cursor);
-        if name.text == "not" && operand && cursor.condition {
-            self.report(tokens::word_not(name.place));
+        if name.text == "not" && operand {
+            self.report(match cursor.condition {
+                true => tokens::word_not(name.place),
+                false => tokens::not(name.place, "not"),
+            });
         } else if Function::find(&name.text).is_none() {
             return None;
         } else if let Some(power) = power_of_function(cursor) {
@@ -30,8 +33,8 @@ impl Parser<'_> {
             cursor.take();
             let place = caret.to(cursor.last());
             self.report(syntax::power_of_function(place, &name.text, &power));
-        } else if operand {
-            // `sqrt x`
+        } else if operand || braced(cursor) {
+            // `sqrt x`, `sqrt{x}`
             self.report(names::function_as_value(name.place, &name.text));
         } else {
             return None;
@@ -128,6 +131,11 @@ impl Parser<'_> {
     }
 }
 
+/// `{x}` in `sqrt{x}`. (In a condition a brace opens the block.)
+fn braced(cursor: &Cursor) -> bool {
+    !cursor.condition && cursor.group(0, Delimiter::Brace).is_some()
+}
+
 /// `^2` in `sin^2(x)`.
 fn power_of_function(cursor: &Cursor) -> Option<String> {
     let power = cursor.token(1)?;
@@ -141,7 +149,7 @@ fn variable(word: proc_macro2::Ident, place: Place) -> Option<Name> {
 }
 
 /// The names in a group.
-fn variables(outer: &Cursor, group: &Group) -> Vec<Name> {
+pub(super) fn variables(outer: &Cursor, group: &Group) -> Vec<Name> {
     let mut inner = outer.inside(group);
     let mut names = Vec::new();
     while let Some((token, place)) = inner.take() {

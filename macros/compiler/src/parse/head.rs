@@ -16,7 +16,7 @@ impl Parser<'_> {
         let attributes = self.attributes(cursor);
         let visibility = visibility(cursor);
         let mut item = cursor.word(0).map_or(String::new(), Ident::to_string);
-        let nameless = !keyword(&item) && fields_follow(cursor);
+        let nameless = !keyword(&item) && (fields_follow(cursor) || surface_ahead(cursor, &item));
         if nameless {
             self.report(head::struct_missing(cursor.place(), &item));
             item = "struct".to_owned();
@@ -227,6 +227,13 @@ fn skip_item(cursor: &mut Cursor) {
             break;
         }
     }
+}
+
+/// `S; x^2 = 1`: a name like a type's, and a formula behind its `;`.
+fn surface_ahead(cursor: &Cursor, name: &str) -> bool {
+    name.starts_with(|c: char| c.is_uppercase())
+        && cursor.operator(1) == ";"
+        && cursor.token(2).is_some()
 }
 
 /// Does `Name { field: …` stand here?

@@ -1,10 +1,11 @@
 //! Items where a formula should be: functions, constants, imports, a second surface.
 
 use super::cursor::Cursor;
+use super::habits::variables;
 use super::{Parser, error, keyword, name};
 use crate::ast::{Let, Name};
 use crate::catalogue::syntax;
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::{Delimiter, Group, Ident};
 
 impl Parser<'_> {
     /// An item, as the `let` that it should be.
@@ -13,7 +14,10 @@ impl Parser<'_> {
         cursor.word(1)?;
         match word.as_str() {
             "const" | "static" => Some(self.constant_item(cursor, &word)),
-            "var" | "val" | "auto" | "double" | "float" | "def" if cursor.operator(2) == "=" => {
+            "var" | "val" | "auto" | "double" | "float" | "def" | "Let" | "LET" | "local"
+            | "real" | "number" | "f64" | "set"
+                if cursor.operator(2) == "=" =>
+            {
                 Some(self.constant_item(cursor, &word))
             }
             "fn" => Some(self.function_item(cursor)),
@@ -80,6 +84,48 @@ impl Parser<'_> {
         cursor.skip_to(&[";"]);
         cursor.eat(";");
         Some(self.nothing(cursor, Some(name)))
+    }
+
+    /// `let [a, b] = t;`: the names are known in what follows, and nothing is said about their values.
+    pub(super) fn let_pattern(&mut self, cursor: &mut Cursor, group: &Group) -> Vec<Let> {
+        cursor.take();
+        let names = variables(cursor, group);
+        let place = cursor.place();
+        cursor.skip_to(&["=", ";"]);
+        let table = cursor
+            .word(1)
+            .filter(|word| *word != "x" && *word != "y" && *word != "z");
+        let lets = names.iter().take(2).enumerate();
+        let lets = lets.map(|(k, name)| match table {
+            Some(table) => format!("let {} = {table}[{k}];", name.text),
+            None => format!("let {} = …;", name.text),
+        });
+        let example = lets.collect::<Vec<_>>().join(" ");
+        self.report(syntax::let_pattern(place, &example));
+        cursor.skip_to(&[";"]);
+        cursor.eat(";");
+        let all = names
+            .into_iter()
+            .map(|name| self.nothing(cursor, Some(name)));
+        all.collect()
+    }
+
+    /// `let f = |t| t^2;`: the `=` is taken.
+    pub(super) fn closure(&mut self, cursor: &mut Cursor, name: &Option<Name>) -> Option<Let> {
+        let parameter = cursor.word(1).is_some() && matches!(cursor.operator(2), "|" | "," | ":");
+        // `|a| - 1` is an absolute value: behind the second bar of a closure stands a value.
+        let called = parameter && cursor.operator(0) == "|" && cursor.operator(3).is_empty();
+        if !called || cursor.token(3).is_none() {
+            return None;
+        }
+        let start = cursor.place();
+        cursor.take();
+        cursor.skip_to(&["|", ";"]);
+        cursor.eat("|");
+        self.report(syntax::closure(start.to(cursor.last())));
+        cursor.skip_to(&[";"]);
+        cursor.eat(";");
+        Some(self.nothing(cursor, name.clone()))
     }
 
     /// Another `struct` in the same macro call. Nothing is said about what follows.

@@ -13,7 +13,7 @@ impl Parser<'_> {
             "|" | "||" => self.bars(cursor),
             "!" => {
                 let place = cursor.place();
-                self.report(tokens::not(place));
+                self.report(tokens::not(place, "!"));
                 cursor.take();
                 let operand = self.deeper(cursor, Self::postfix);
                 error(place, operand.into_iter().collect())

@@ -77,6 +77,11 @@ impl Parser<'_> {
         }
     }
 
+    /// Says nothing more about the token at this place.
+    fn echo(&mut self, place: Place) {
+        self.reported_at = Some(place.order);
+    }
+
     /// Runs `parse` one level deeper, or reports that there are too many levels.
     fn deeper<T>(
         &mut self,

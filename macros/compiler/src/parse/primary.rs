@@ -19,8 +19,13 @@ impl Parser<'_> {
             if let Some(group) = cursor.group(0, Delimiter::Bracket).cloned() {
                 let place = value.place.to(cursor.place());
                 cursor.take();
+                let mistakes = self.diagnostics.len();
                 let index = self.inside(cursor, &group);
-                value = self.expr(ExprKind::Index(Box::new(value), Box::new(index)), place);
+                value = if self.diagnostics.len() == mistakes {
+                    self.expr(ExprKind::Index(Box::new(value), Box::new(index)), place)
+                } else {
+                    error(place, vec![value, index])
+                };
             } else if cursor.operator(0) == "." {
                 value = self.member(cursor, value);
             } else if cursor.operator(0) == "?" {

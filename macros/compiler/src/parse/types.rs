@@ -167,6 +167,10 @@ impl Parser<'_> {
         } else {
             head::field_vec(place)
         });
+        // A reference would lack its lifetime.
+        if tokens.to_string().contains('&') {
+            return number_type();
+        }
         Type {
             shape: Shape::Number,
             sound: false,

@@ -3,7 +3,7 @@
 use super::expression::term;
 use super::scope::{Found, Meaning};
 use super::{Resolver, Value, constant, nearest};
-use crate::ast::{Expr, Name};
+use crate::ast::{Expr, ExprKind, Name};
 use crate::catalogue::{constants, names, shapes};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::functions::{Function, TABLE};
@@ -23,17 +23,24 @@ impl Resolver<'_> {
                 let mistake = self.unknown_function(name);
                 self.diagnostics.push(mistake);
             }
-            arguments
-                .iter()
-                .for_each(|argument| self.names_in(argument));
+            // `sum(i^2, i, 0, 8)`: the fold would have known its variable.
+            if !matches!(name.text.as_str(), "sum" | "prod") {
+                arguments
+                    .iter()
+                    .for_each(|argument| self.names_in(argument));
+            }
             return None;
         };
+        let wrong = arguments.len() != function.entry().arity;
+        let list = |a: &Expr| matches!(a.kind, ExprKind::List(_) | ExprKind::Repeat(_));
         let values: Vec<Option<Value>> = arguments
             .iter()
+            // `min([x, y, z])` is one mistake.
+            .filter(|argument| !(wrong && list(argument)))
             .map(|argument| self.value(argument))
             .collect();
         let sound = arguments.iter().all(|argument| !argument.is_error());
-        if arguments.len() != function.entry().arity && sound {
+        if wrong && sound {
             self.diagnostics
                 .push(arity(place, &name.text, function, arguments.len()));
             return None;

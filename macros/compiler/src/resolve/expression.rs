@@ -86,6 +86,7 @@ impl Resolver<'_> {
                 self.names_in(b);
             }
             ExprKind::Name(name) if self.names_a_table(&name.text) => {}
+            ExprKind::List(entries) => entries.iter().for_each(|entry| self.names_in(entry)),
             _ => {
                 self.value(expr);
             }
