@@ -206,7 +206,8 @@ fn hexadecimal(text: &str) -> Option<f64> {
     let exact = bits <= 53 && (-1074..=1024 - bits).contains(&exponent);
     // Two steps: the power alone may be no double while the product is one.
     let half = exponent / 2;
-    exact.then(|| mantissa as f64 * 2f64.powi(half) * 2f64.powi(exponent - half))
+    let power = |n: i32| f64::from_bits(((1023 + n) as u64) << 52);
+    exact.then(|| mantissa as f64 * power(half) * power(exponent - half))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! x modulo π/2, for doubles of any size.
 
-use super::super::Lanes;
 use super::super::lanes::WHOLE;
+use super::super::{Lanes, Scalar};
 use super::two_fold::two_product;
 
 /// x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ ulp(r)/2; r + ρ is right to 2⁻¹⁰⁰ of itself, so its sign is too. Beyond 2²⁰
@@ -187,14 +187,15 @@ fn two_doubles(fraction: [u64; 3]) -> (f64, f64) {
         b = b << zeros | c >> (64 - zeros);
     }
     exponent += zeros as i32;
-    let high = (a >> 11) as f64 * 2f64.powi(-53 - exponent);
-    let low = ((a & 0x7ff) << 42 | b >> 22) as f64 * 2f64.powi(-106 - exponent);
+    // The library's powi promises no exact result.
+    let power = |n: i32| Scalar.pow2(f64::from(n));
+    let high = (a >> 11) as f64 * power(-53 - exponent);
+    let low = ((a & 0x7ff) << 42 | b >> 22) as f64 * power(-106 - exponent);
     (high, low)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::Scalar;
     use super::*;
 
     /// Both ways agree where both hold.
