@@ -53,6 +53,14 @@ impl Ball {
         Ball::new(hi, lo, 0.0)
     }
 
+    /// All of base + t.
+    pub(crate) fn span(base: f64, t: &Interval) -> Ball {
+        let middle = t.lo + 0.5 * (t.hi - t.lo);
+        let radius = Scalar.max_f(Scalar.sub_ru(middle, t.lo), Scalar.sub_ru(t.hi, middle));
+        let (hi, lo) = two_sum(base, middle);
+        Ball::new(hi, lo, radius)
+    }
+
     /// `origin + self·direction`: a coordinate of a point on a ray.
     pub fn along(self, origin: f64, direction: f64) -> Ball {
         self.multiply(Ball::exact(direction))

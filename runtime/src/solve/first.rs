@@ -42,6 +42,8 @@ pub(crate) struct Roots<P: Packet> {
 pub struct Solver<P: Packet> {
     search: fn(Job<'_, P>) -> Roots<P>,
     sharpen: fn(Second<'_, P>, &mut Interval<P::F>),
+    /// Does it use second derivatives?
+    pub(crate) bends: bool,
 }
 
 impl<P: Packet> Solver<P> {
@@ -50,6 +52,7 @@ impl<P: Packet> Solver<P> {
         Solver {
             search: search::<C, P>,
             sharpen,
+            bends: C::ORDER >= 2,
         }
     }
 
@@ -60,6 +63,7 @@ impl<P: Packet> Solver<P> {
         ready.copied().unwrap_or(Solver {
             search: unsearched,
             sharpen: |_, _| {},
+            bends: false,
         })
     }
 

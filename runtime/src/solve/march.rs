@@ -68,7 +68,8 @@ pub(super) fn march<C: Contractor, P: Packet>(
 ) -> Brackets<P> {
     let p = field.p;
     let zero = p.splat(0.0);
-    let end = range.over.hi;
+    let mut over = range.over;
+    let end = over.hi;
     let shortest = p.mul_rn(end, p.splat(1.0 / (1u64 << 48) as f64));
     let mut live = range.live;
     let mut found = Brackets::none(p);
@@ -116,11 +117,14 @@ pub(super) fn march<C: Contractor, P: Packet>(
                 lo: at.front,
                 hi: near,
             };
-            let job = Stuck::<C, P>::new(field, range.over, t, stuck, shortest, events);
+            let job = Stuck::<C, P>::new(field, over, t, stuck, shortest, events);
             let outcome = p.call(job);
             live = at.settle(p, end, live, stuck, &outcome, &mut found);
+            let crossed = p.and(stuck, outcome.crossed);
+            // What is found later lies behind the sign change: no neighbourhood reaches back to it.
+            over.lo = p.select(crossed, outcome.behind, over.lo);
             if range.first_only {
-                live = p.and_not(live, p.and(stuck, outcome.crossed));
+                live = p.and_not(live, crossed);
             }
         }
         if let Some(cuts) = &mut cuts {

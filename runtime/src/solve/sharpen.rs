@@ -10,6 +10,9 @@ pub(crate) const WIDE: f64 = 5e-13;
 /// How narrow the second look makes it.
 const GOAL: f64 = 1e-13;
 
+/// How often a piece beside a sign change is halved.
+const DEPTH: u32 = 4;
+
 /// Rays that need a second look.
 pub(crate) struct Second<'b, P: Packet> {
     pub field: Field<'b, P>,
@@ -19,6 +22,8 @@ pub(crate) struct Second<'b, P: Packet> {
     pub entry: P::F,
     /// Bit i is set if the interval of ray i's root is too wide.
     pub wide: u8,
+    /// May events be decided by the second derivative?
+    pub bends: bool,
     /// What was met before the roots.
     pub events: &'b mut Events,
 }
@@ -28,7 +33,12 @@ pub(crate) struct Second<'b, P: Packet> {
 pub(super) fn sharpen<P: Packet>(mut second: Second<'_, P>, t: &mut Interval<P::F>) {
     let p = second.field.p;
     let (mut lo, mut hi) = (p.to_array(t.lo), p.to_array(t.hi));
-    let (wide, touched) = (second.wide, second.events.touched);
+    let touched = if second.bends {
+        second.events.touched
+    } else {
+        0
+    };
+    let wide = second.wide;
     for lane in (0..8).filter(|lane| wide >> lane & 1 != 0) {
         let root = second.on(lane, |line| {
             line.bisect(Interval {
@@ -67,6 +77,15 @@ impl<P: Packet> Second<'_, P> {
     /// Puts an event back, or what it turns out to be.
     fn event(&mut self, lane: usize, event: Verdict) {
         match event {
+            Verdict::Crossing { t } => {
+                let event = match self.on(lane, |line| line.simple(&t)) {
+                    Some(t) => Verdict::Root { t },
+                    None => Verdict::Crossing {
+                        t: self.narrow(lane, t),
+                    },
+                };
+                self.events.push(lane, event);
+            }
             Verdict::Tangent { t, .. } => match self.bend(lane, &t) {
                 Some(bend) => {
                     let found = self.on(lane, |line| line.turn(&t, &bend));
@@ -76,6 +95,51 @@ impl<P: Packet> Second<'_, P> {
             },
             _ => self.events.push(lane, event),
         }
+    }
+
+    /// Takes away what certainly holds no root from both sides of a sign change.
+    fn narrow(&mut self, lane: usize, mut t: Interval) -> Interval {
+        let signs = self.on(lane, |line| [line.sign(t.lo), line.sign(t.hi)]);
+        let [Some(before), Some(behind)] = signs else {
+            return t;
+        };
+        while before != behind && t.hi - t.lo > GOAL {
+            let middle = t.lo + 0.5 * (t.hi - t.lo);
+            let left = match self.on(lane, |line| line.sign(middle)) {
+                Some(sign) => sign == before,
+                None => break,
+            };
+            let (lo, hi) = if left { (t.lo, middle) } else { (middle, t.hi) };
+            if !self.free(lane, Interval { lo, hi }, DEPTH) {
+                break;
+            }
+            if left {
+                t.lo = middle;
+            } else {
+                t.hi = middle;
+            }
+        }
+        t
+    }
+
+    /// Is there no root in a piece at whose ends f has the same certain sign? If 0 ∉ f'', f' lies between its values at
+    /// the ends; if these have the same sign, f lies between its own.
+    fn free(&mut self, lane: usize, t: Interval, depth: u32) -> bool {
+        let slopes = self.on(lane, |line| [line.slope(t.lo), line.slope(t.hi)]);
+        if slopes[0].is_some() && slopes[0] == slopes[1] && self.bend(lane, &t).is_some() {
+            return true;
+        }
+        if depth == 0 {
+            return false;
+        }
+        let middle = t.lo + 0.5 * (t.hi - t.lo);
+        let signs = self.on(lane, |line| [line.sign(t.lo), line.sign(middle)]);
+        let halves = [(t.lo, middle), (middle, t.hi)];
+        signs[0].is_some()
+            && signs[0] == signs[1]
+            && halves
+                .into_iter()
+                .all(|(lo, hi)| self.free(lane, Interval { lo, hi }, depth - 1))
     }
 
     /// f'' over a piece of one ray, if it exists there and is not 0.
@@ -136,8 +200,12 @@ struct Line<'a, P: Packet> {
 impl<P: Packet> Line<'_, P> {
     /// f and f' at `t`, if f is certainly defined and continuous there.
     fn at(&mut self, t: f64) -> Option<[Interval; 2]> {
+        self.over(Ball::sum(self.entry, t))
+    }
+
+    /// The same over a ball of parameters of the ray as given.
+    fn over(&mut self, t: Ball) -> Option<[Interval; 2]> {
         self.looks += 1;
-        let t = Ball::sum(self.entry, t);
         let point = [0, 1, 2].map(|k| t.along(self.origin[k], self.direction[k]));
         let ([f, gradient @ ..], flags) = self.along.fine(&point);
         let defined = !(flags.empty || flags.undefined || flags.jump);
@@ -149,6 +217,19 @@ impl<P: Packet> Line<'_, P> {
     fn sign(&mut self, t: f64) -> Option<bool> {
         let [f, _] = self.at(t)?;
         (!f.contains(0.0)).then_some(f.lo > 0.0)
+    }
+
+    /// The root of a piece over which f has a slope, and at whose ends it has opposite signs.
+    fn simple(&mut self, t: &Interval) -> Option<Interval> {
+        let [_, slope] = self.over(Ball::span(self.entry, t))?;
+        let change = self.sign(t.lo)? != self.sign(t.hi)?;
+        (change && !slope.contains(0.0)).then(|| self.bisect(*t))
+    }
+
+    /// The sign of f' at `t`, if it is certain.
+    fn slope(&mut self, t: f64) -> Option<bool> {
+        let [_, slope] = self.at(t)?;
+        (!slope.contains(0.0)).then_some(slope.lo > 0.0)
     }
 
     /// Bisects a piece at whose ends f has opposite signs. Certain signs alone move its ends.

@@ -1,5 +1,6 @@
 //! Roots that come in pairs: what the second derivative proves.
 
+use super::floor::any_slope;
 use super::{Brackets, Enclosed, Field, nonzero, select, twice_differentiable};
 use crate::contract::middle;
 use crate::interval::{Interval, Packet};
@@ -132,10 +133,7 @@ pub(crate) fn tangent<P: Packet>(
     let dips = p.and(not_left, p.lt(right.hi, zero));
 
     let mut brackets = Brackets::none(p);
-    let any_slope = Interval {
-        lo: p.splat(f64::NEG_INFINITY),
-        hi: p.splat(f64::INFINITY),
-    };
+    let any_slope = any_slope(p);
     let before = Interval { lo: t.lo, hi: c.lo };
     let behind = Interval { lo: c.hi, hi: t.hi };
     brackets.put(

@@ -60,13 +60,15 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
         let mut roots = self.found(p);
         let width = p.sub_ru(roots.t.hi, roots.t.lo);
         let wide = p.and(roots.hit, p.lt(p.splat(WIDE), width));
-        if p.any(wide) || self.events.touched != 0 {
+        let bends = self.solver.bends;
+        if p.any(wide) || bends && self.events.touched != 0 {
             let OnRays { entries, counts } = self.surface;
             let second = Second {
                 field: Field::new(p, entries, counts),
                 lines: self.lines,
                 entry: self.entry,
                 wide: p.bits(wide),
+                bends,
                 events: self.events,
             };
             self.solver.sharpen(second, &mut roots.t);
