@@ -1,8 +1,8 @@
 //! A formula as it was written: shapes and places, no meaning yet.
 
 use crate::diagnostic::Place;
+use crate::exact::Rational;
 use crate::tree::{FoldKind, Operator};
-use num_rational::BigRational;
 use proc_macro2::{Ident, TokenStream};
 
 /// A whole input.
@@ -114,7 +114,7 @@ impl Expr {
 #[derive(Debug)]
 pub enum ExprKind {
     /// An exact literal.
-    Number(BigRational),
+    Number(Rational),
     /// A name.
     Name(Name),
     /// A call as a function or as a method; the receiver is the first argument.

@@ -1,9 +1,8 @@
 //! The computation graph: hash-consed, in topological order, printable as text.
 
+use crate::exact::Rational;
 use crate::functions::Function;
 use crate::tree::{FoldKind, Index};
-use num_rational::BigRational;
-use num_traits::Zero;
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -54,7 +53,7 @@ pub enum Undecided {
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Op {
     /// An exact number.
-    Literal(BigRational),
+    Literal(Rational),
     /// π.
     Pi,
     /// x, y, z are 0, 1, 2.
@@ -186,7 +185,7 @@ impl Graph {
         &self.info[id.0 as usize]
     }
     /// A node's number, if it is a literal.
-    pub fn literal(&self, id: Id) -> Option<&BigRational> {
+    pub fn literal(&self, id: Id) -> Option<&Rational> {
         match self.op(id) {
             Op::Literal(r) => Some(r),
             _ => None,
@@ -309,10 +308,10 @@ pub fn operands(op: &Op) -> Vec<Id> {
 }
 
 /// The sign of a rational.
-pub fn sign_of(r: &BigRational) -> Sign {
-    if *r >= BigRational::zero() {
-        Sign::NonNegative
-    } else {
+pub fn sign_of(r: &Rational) -> Sign {
+    if r.is_negative() {
         Sign::NonPositive
+    } else {
+        Sign::NonNegative
     }
 }

@@ -14,6 +14,7 @@ pub mod catalogue;
 pub mod diagnostic;
 pub mod differentiate;
 pub mod emit;
+pub mod exact;
 pub mod front;
 pub mod functions;
 pub mod graph;

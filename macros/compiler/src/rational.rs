@@ -1,13 +1,10 @@
 //! Exact numbers and their enclosures in `f64`.
 
-use num_bigint::BigUint;
-use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use crate::exact::{Natural, Rational};
 
 /// The tightest `f64` bounds of a number: equal if it is an `f64`. Beyond the largest `f64` the outer bound is infinite.
-pub fn bounds(r: &BigRational) -> (f64, f64) {
-    let (low, high) = magnitude(r.numer().magnitude(), r.denom().magnitude());
+pub fn bounds(r: &Rational) -> (f64, f64) {
+    let (low, high) = magnitude(r.numerator(), r.denominator());
     if r.is_negative() {
         (-high, -low)
     } else {
@@ -16,16 +13,16 @@ pub fn bounds(r: &BigRational) -> (f64, f64) {
 }
 
 /// The nearest `f64`, ties downward.
-pub fn nearest(r: &BigRational) -> f64 {
+pub fn nearest(r: &Rational) -> f64 {
     let (low, high) = bounds(r);
-    match (BigRational::from_float(low), BigRational::from_float(high)) {
+    match (Rational::from_f64(low), Rational::from_f64(high)) {
         (Some(a), Some(b)) if &b - r < r - &a => high,
         _ => low,
     }
 }
 
 /// Bounds of n/d. With q = ⌊n/d · 2⁻ᵏ⌋ of at most 53 bits and k ≥ −1074, both q·2ᵏ and (q + 1)·2ᵏ are `f64`s.
-fn magnitude(n: &BigUint, d: &BigUint) -> (f64, f64) {
+fn magnitude(n: &Natural, d: &Natural) -> (f64, f64) {
     if n.is_zero() {
         return (0.0, 0.0);
     }
@@ -38,7 +35,11 @@ fn magnitude(n: &BigUint, d: &BigUint) -> (f64, f64) {
         (q, exact) = quotient(n, d, k);
     }
     let low = scale(&q, k);
-    let high = if exact { low } else { scale(&(q + 1u32), k) };
+    let high = if exact {
+        low
+    } else {
+        scale(&q.plus(&Natural::from(1)), k)
+    };
     if low.is_infinite() {
         (f64::MAX, high)
     } else {
@@ -46,18 +47,18 @@ fn magnitude(n: &BigUint, d: &BigUint) -> (f64, f64) {
     }
 }
 
-fn quotient(n: &BigUint, d: &BigUint, k: i64) -> (BigUint, bool) {
+fn quotient(n: &Natural, d: &Natural, k: i64) -> (Natural, bool) {
     let (q, r) = if k >= 0 {
-        n.div_rem(&(d << k as u64))
+        n.divided(&d.shifted(k as u64))
     } else {
-        (n << (-k) as u64).div_rem(d)
+        n.shifted(k.unsigned_abs()).divided(d)
     };
     (q, r.is_zero())
 }
 
 /// q·2ᵏ for q ≤ 2⁵³ and k ≥ −1074: exact, or infinite. In two factors, because 2ᵏ alone may be subnormal.
-fn scale(q: &BigUint, k: i64) -> f64 {
-    let q = q.to_f64().unwrap_or(f64::INFINITY);
+fn scale(q: &Natural, k: i64) -> f64 {
+    let q = q.to_u64().map_or(f64::INFINITY, |q| q as f64);
     let k = k.clamp(-1074, 2000) as i32;
     let half = k / 2;
     q * 2f64.powi(half) * 2f64.powi(k - half)
@@ -69,8 +70,8 @@ fn scale(q: &BigUint, k: i64) -> f64 {
 mod tests {
     use super::*;
 
-    fn ratio(n: i64, d: i64) -> BigRational {
-        BigRational::new(n.into(), d.into())
+    fn ratio(n: i64, d: i64) -> Rational {
+        Rational::from(n).over(&Rational::from(d)).unwrap()
     }
 
     #[test]
@@ -86,7 +87,7 @@ mod tests {
             0.1,
             3e300,
         ] {
-            let r = BigRational::from_float(x).unwrap();
+            let r = Rational::from_f64(x).unwrap();
             assert_eq!(bounds(&r), (x, x));
             assert_eq!(nearest(&r), x);
         }
@@ -98,19 +99,16 @@ mod tests {
             let r = ratio(n, d);
             let (low, high) = bounds(&r);
             assert_eq!(low.next_up(), high);
-            assert!(
-                BigRational::from_float(low).unwrap() < r
-                    && r < BigRational::from_float(high).unwrap()
-            );
+            assert!(Rational::from_f64(low).unwrap() < r && r < Rational::from_f64(high).unwrap());
             assert_eq!(nearest(&r), n as f64 / d as f64);
         }
     }
 
     #[test]
     fn extremes_are_enclosed() {
-        let tiny = BigRational::from_float(5e-324).unwrap() / ratio(3, 1);
+        let tiny = &Rational::from_f64(5e-324).unwrap() * &ratio(1, 3);
         assert_eq!(bounds(&tiny), (0.0, 5e-324));
-        let huge = BigRational::from_float(f64::MAX).unwrap() * ratio(2, 1);
+        let huge = &Rational::from_f64(f64::MAX).unwrap() * &ratio(2, 1);
         assert_eq!(bounds(&huge), (f64::MAX, f64::INFINITY));
         assert_eq!(bounds(&-huge), (f64::NEG_INFINITY, -f64::MAX));
     }

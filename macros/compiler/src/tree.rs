@@ -1,7 +1,7 @@
 //! A formula with all its names resolved: what `resolve` makes and `lower` takes.
 
+use crate::exact::Rational;
 use crate::functions::Function;
-use num_rational::BigRational;
 use proc_macro2::{Ident, Span, TokenStream};
 
 /// A whole `implicit!` call that is free of errors.
@@ -160,7 +160,7 @@ pub struct Term {
 #[derive(Clone, Debug)]
 pub enum TermKind {
     /// An exact literal, with the digits as written.
-    Number(BigRational),
+    Number(Rational),
     /// π.
     Pi(Ident),
     /// 2π.

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use zeroset::interval::{Arithmetic, Flags, Interval, Scalar, Truth, Undecided};
+use zeroset_compiler::exact::Rational;
 use zeroset_compiler::functions::Function;
 use zeroset_compiler::graph::{self, Graph, Id, Op, operands};
 
@@ -144,9 +145,10 @@ fn binary(f: Function, a: Interval, b: Interval, flags: Marks) -> (Value, Marks)
 }
 
 /// The tightest interval in `f64`, or one unit more.
-fn literal(r: &BigRational) -> Interval {
+fn literal(r: &Rational) -> Interval {
+    let r: BigRational = r.to_string().parse().expect("a fraction");
     let x = r.to_f64().expect("a number");
-    let is_exact = x.is_finite() && crate::truth::exact(x) == *r;
+    let is_exact = x.is_finite() && crate::truth::exact(x) == r;
     Interval {
         lo: if is_exact { x } else { x.next_down() },
         hi: if is_exact { x } else { x.next_up() },

@@ -329,7 +329,7 @@ fn accumulator(
     args: &[&Ident],
 ) -> (TokenStream, TokenStream) {
     let start = |n: i64| {
-        let n = interval(&num_rational::BigRational::from_integer(n.into()));
+        let n = interval(&crate::exact::Rational::from(n));
         quote!(a.constant(&#n))
     };
     let (zero, one) = (start(0), start(1));

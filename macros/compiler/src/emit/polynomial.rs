@@ -99,7 +99,7 @@ impl Target for Polynomial<'_> {
     ) -> (TokenStream, TokenStream, Coefficients) {
         let body = arguments.first().cloned().unwrap_or_default();
         let names = self.names(id, body.len().saturating_sub(1));
-        let zero = interval(&num_rational::BigRational::from_integer(0.into()));
+        let zero = interval(&crate::exact::Rational::from(0));
         let declare = quote!(#(let mut #names = a.constant(&#zero);)*);
         let update = quote!(#(#names = a.add(#names, #body);)*);
         (declare, update, names)

@@ -4,9 +4,8 @@
 //! means, and rustc reports the fields and `let`s that nothing uses.
 
 use super::text::float;
+use crate::exact::Rational;
 use crate::tree::{Condition, FoldKind, Formula, Index, Operator, Over, Term, TermKind};
-use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -95,7 +94,7 @@ impl Scalar<'_> {
     }
 
     /// The value of numbers under `+ − * /`, so that `1/3` is one rounding and exponents are known.
-    fn rational(&self, term: &Term, depth: u32) -> Option<BigRational> {
+    fn rational(&self, term: &Term, depth: u32) -> Option<Rational> {
         // Names stay names.
         match &term.kind {
             TermKind::Number(number) => Some(number.clone()),
@@ -104,11 +103,11 @@ impl Scalar<'_> {
                 let a = self.rational(a, depth + 1)?;
                 let b = self.rational(b, depth + 1)?;
                 match operator {
-                    Operator::Add => Some(a + b),
-                    Operator::Subtract => Some(a - b),
-                    Operator::Multiply => Some(a * b),
-                    Operator::Divide if !b.is_zero() => Some(a / b),
-                    Operator::Divide | Operator::Power => None,
+                    Operator::Add => Some(&a + &b),
+                    Operator::Subtract => Some(&a - &b),
+                    Operator::Multiply => Some(&a * &b),
+                    Operator::Divide => a.over(&b),
+                    Operator::Power => None,
                 }
             }
             _ => None,
@@ -118,8 +117,8 @@ impl Scalar<'_> {
     fn binary(&self, operator: Operator, a: &Term, b: &Term) -> TokenStream {
         let base = self.term(a);
         if operator == Operator::Power {
-            let whole = self.rational(b, 0).filter(BigRational::is_integer);
-            return match whole.and_then(|e| e.numer().to_i32()) {
+            let whole = self.rational(b, 0).filter(Rational::is_integer);
+            return match whole.and_then(|e| i32::try_from(e.to_i64()?).ok()) {
                 Some(n) => {
                     let size = Literal::i32_suffixed(n.saturating_abs());
                     let n = if n.is_negative() {

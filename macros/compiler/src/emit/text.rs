@@ -1,8 +1,7 @@
 //! Small pieces of code.
 
+use crate::exact::Rational;
 use crate::graph::Id;
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -35,21 +34,21 @@ pub fn float(x: f64) -> TokenStream {
 }
 
 /// The enclosure of an exact number.
-pub fn interval(r: &BigRational) -> TokenStream {
+pub fn interval(r: &Rational) -> TokenStream {
     let (lo, hi) = crate::rational::bounds(r);
     let (lo, hi) = (float(lo), float(hi));
     quote!(__zeroset::Interval { lo: #lo, hi: #hi })
 }
 
 /// The value of an exact number in the number system `a`.
-pub fn number(r: &BigRational) -> TokenStream {
+pub fn number(r: &Rational) -> TokenStream {
     let enclosure = interval(r);
     let (lo, hi) = crate::rational::bounds(r);
     if lo == hi {
         return quote!(a.constant(&#enclosure));
     }
     let near = crate::rational::nearest(r);
-    let rest = BigRational::from_float(near).map_or(0.0, |n| crate::rational::nearest(&(r - n)));
+    let rest = Rational::from_f64(near).map_or(0.0, |n| crate::rational::nearest(&(r - &n)));
     let (near, rest) = (float(near), float(rest));
     quote!(a.literal(&__zeroset::Number { enclosure: #enclosure, leading: [#near, #rest] }))
 }
@@ -71,5 +70,5 @@ pub fn index(i: &crate::tree::Index) -> TokenStream {
 
 /// A count as a literal.
 pub fn count(n: usize) -> Literal {
-    Literal::u32_unsuffixed(n.to_u32().unwrap_or(u32::MAX))
+    Literal::u32_unsuffixed(u32::try_from(n).unwrap_or(u32::MAX))
 }

@@ -7,9 +7,8 @@ use super::{Parser, error, keyword, name};
 use crate::ast::{Body, Expr, ExprKind, Fold, Name, Over, Pattern};
 use crate::catalogue::syntax;
 use crate::diagnostic::Place;
+use crate::exact::Rational;
 use crate::tree::FoldKind;
-use num_rational::BigRational;
-use num_traits::One;
 use proc_macro2::{Delimiter, Group};
 
 /// The fold of this name.
@@ -141,7 +140,7 @@ impl Parser<'_> {
         let (over, closed) = self.interval(cursor);
         if let (Over::Range(first, last), Some(dots)) = (&over, closed) {
             let half_open = match (whole(first), whole(last)) {
-                (Some(a), Some(b)) => format!("{a}..{}", b + BigRational::one()),
+                (Some(a), Some(b)) => format!("{a}..{}", b + &Rational::from(1)),
                 _ => "start..end + 1".to_owned(),
             };
             self.report(syntax::inclusive_range(dots, &half_open));

@@ -1,8 +1,6 @@
 //! Exact decimal literals: `0.1` is one tenth.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Zero};
+use crate::exact::{Natural, Rational};
 
 /// The most digits that a literal may have; the longest `f64` has 767 significant ones.
 pub const MOST_DIGITS: usize = 1000;
@@ -11,11 +9,11 @@ pub const MOST_DIGITS: usize = 1000;
 #[derive(Debug, PartialEq)]
 pub enum Number<'a> {
     /// A number without a suffix.
-    Exact(BigRational),
+    Exact(Rational),
     /// A number that runs into a name: `2x`, `2f32`.
     Suffixed(&'a str, &'a str),
     /// Not decimal: `0x10`. The value, if it is a number at all.
-    Radix(Option<BigInt>),
+    Radix(Option<Natural>),
     /// Beyond the largest `f64`.
     TooLarge,
     /// Not zero, and below the smallest positive `f64`.
@@ -38,7 +36,7 @@ pub fn number(text: &str) -> Number<'_> {
                 .filter(|c| *c != '_')
                 .take(MOST_DIGITS)
                 .collect();
-            return Number::Radix(BigInt::parse_bytes(digits.as_bytes(), radix));
+            return Number::Radix(Natural::parse(&digits, radix));
         }
     }
     let digits = |from: usize| {
@@ -82,32 +80,34 @@ pub fn number(text: &str) -> Number<'_> {
 
 /// `mantissa · 10^exponent`, the mantissa's point ignored and counted by `fraction`.
 fn scaled<'a>(mantissa: &str, fraction: usize, exponent: i64) -> Number<'a> {
-    let digits: Vec<u8> = mantissa.bytes().filter(u8::is_ascii_digit).collect();
+    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
     if digits.len() > MOST_DIGITS {
         return Number::TooLong;
     }
-    let Some(mantissa) = BigInt::parse_bytes(&digits, 10) else {
+    let Some(mantissa) = Natural::parse(&digits, 10) else {
         return Number::Other;
     };
     if mantissa.is_zero() {
-        return Number::Exact(BigRational::zero());
+        return Number::Exact(Rational::from(0));
     }
     // With at most 1,000 digits an exponent beyond ±5,000 is out of range whatever the digits are.
     let exponent = exponent.clamp(-5000, 5000) - i64::try_from(fraction).unwrap_or(5000);
-    let power = BigInt::from(10).pow(u32::try_from(exponent.unsigned_abs()).unwrap_or(9999));
+    let power = Natural::from(10).power(u32::try_from(exponent.unsigned_abs()).unwrap_or(9999));
     let value = if exponent < 0 {
-        BigRational::new(mantissa, power)
+        Rational::new(false, mantissa, power)
     } else {
-        BigRational::from_integer(mantissa * power)
+        Some(Rational::whole(mantissa.times(&power)))
     };
-    let largest = BigRational::from_integer((BigInt::one() << 1024) - (BigInt::one() << 971));
-    if value > largest {
-        return Number::TooLarge;
+    match (
+        value,
+        Rational::from_f64(f64::MAX),
+        Rational::from_f64(f64::from_bits(1)),
+    ) {
+        (Some(value), Some(most), _) if value > most => Number::TooLarge,
+        (Some(value), _, Some(least)) if value < least => Number::TooSmall,
+        (Some(value), ..) => Number::Exact(value),
+        (None, ..) => Number::Other,
     }
-    if value < BigRational::new(BigInt::one(), BigInt::one() << 1074) {
-        return Number::TooSmall;
-    }
-    Number::Exact(value)
 }
 
 #[cfg(test)]
@@ -115,7 +115,11 @@ mod tests {
     use super::*;
 
     fn ratio(a: i64, b: i64) -> Number<'static> {
-        Number::Exact(BigRational::new(a.into(), b.into()))
+        Number::Exact(
+            Rational::from(a)
+                .over(&Rational::from(b))
+                .expect("b is not 0"),
+        )
     }
 
     #[test]

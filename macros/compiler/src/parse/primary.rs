@@ -7,8 +7,7 @@ use super::{Parser, error, keyword, name};
 use crate::ast::{Expr, ExprKind};
 use crate::catalogue::{syntax, tokens};
 use crate::diagnostic::Place;
-use num_rational::BigRational;
-use num_traits::Zero;
+use crate::exact::Rational;
 use proc_macro2::{Delimiter, Group};
 
 impl Parser<'_> {
@@ -217,11 +216,9 @@ fn typed(suffix: &str) -> bool {
 }
 
 /// A whole number that stands for itself, for messages.
-pub(super) fn whole(expr: &Expr) -> Option<&BigRational> {
+pub(super) fn whole(expr: &Expr) -> Option<&Rational> {
     match &expr.kind {
-        ExprKind::Number(value) if value.is_integer() && *value >= BigRational::zero() => {
-            Some(value)
-        }
+        ExprKind::Number(value) if value.is_integer() && !value.is_negative() => Some(value),
         _ => None,
     }
 }

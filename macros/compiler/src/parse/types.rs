@@ -8,7 +8,6 @@ use crate::ast::Type;
 use crate::catalogue::head;
 use crate::diagnostic::Place;
 use crate::tree::Shape;
-use num_traits::ToPrimitive;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
@@ -103,7 +102,8 @@ impl Parser<'_> {
             Number::Exact(value)
                 if value.is_integer() && cursor.at_end() && !text.contains(['.', 'e', 'E']) =>
             {
-                value.to_integer().to_usize().unwrap_or(usize::MAX)
+                let length = value.to_i64().and_then(|n| usize::try_from(n).ok());
+                length.unwrap_or(usize::MAX)
             }
             _ => {
                 cursor.skip_to(&[]);

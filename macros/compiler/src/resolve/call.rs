@@ -6,10 +6,9 @@ use super::{Resolver, Value, constant, nearest};
 use crate::ast::{Expr, ExprKind, Name};
 use crate::catalogue::{constants, names, shapes};
 use crate::diagnostic::{Diagnostic, Place};
+use crate::exact::Rational;
 use crate::functions::{Function, TABLE};
 use crate::tree::TermKind;
-use num_rational::BigRational;
-use num_traits::Signed;
 
 impl Resolver<'_> {
     /// A call, as a function or as a method.
@@ -46,7 +45,7 @@ impl Resolver<'_> {
             return None;
         }
         let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
-        let known: Vec<Option<BigRational>> = values.iter().map(|v| v.constant.clone()).collect();
+        let known: Vec<Option<Rational>> = values.iter().map(|v| v.constant.clone()).collect();
         self.defined(place, name, function, arguments, &known)?;
         let moves = values.iter().any(|v| v.moves);
         let terms = values.into_iter().map(|v| v.term).collect();
@@ -64,7 +63,7 @@ impl Resolver<'_> {
         name: &Name,
         function: Function,
         arguments: &[Expr],
-        known: &[Option<BigRational>],
+        known: &[Option<Rational>],
     ) -> Option<()> {
         let first = arguments.first().map_or(place, |a| a.place);
         let mistake = match (function, known) {

@@ -6,10 +6,8 @@ use super::{Resolver, Setting, Value, constant};
 use crate::ast::{Expr, ExprKind};
 use crate::catalogue::{constants, head, shapes};
 use crate::diagnostic::Place;
+use crate::exact::Rational;
 use crate::tree::{Operator, Term, TermKind};
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{Signed, Zero};
 
 /// The largest exponent: far beyond any formula, and far within what the runtime's powers take.
 const MOST_EXPONENT: u32 = 1_000_000;
@@ -157,7 +155,7 @@ impl Resolver<'_> {
 
     /// A divisor must not be the constant 0.
     pub(super) fn division(&mut self, place: Place, divisor: &Value) -> Option<()> {
-        if divisor.constant.as_ref().is_some_and(Zero::is_zero) {
+        if divisor.constant.as_ref().is_some_and(Rational::is_zero) {
             self.diagnostics.push(constants::division_by_zero(place));
             return None;
         }
@@ -175,7 +173,7 @@ impl Resolver<'_> {
         let Some(power) = &exponent.constant else {
             return Some(());
         };
-        let mistake = if power.abs() > BigRational::from_integer(BigInt::from(MOST_EXPONENT)) {
+        let mistake = if power.abs() > Rational::from(i64::from(MOST_EXPONENT)) {
             constants::exponent_too_large(exponent_place, MOST_EXPONENT)
         } else {
             match &base.constant {

@@ -5,7 +5,6 @@ use super::{Resolver, Setting};
 use crate::ast::{self, Expr, ExprKind};
 use crate::catalogue::head;
 use crate::tree::{Default, Field, Shape, Term};
-use num_traits::ToPrimitive;
 
 /// The most entries that defaults spell out in all.
 const MOST_ENTRIES: usize = 1 << 16;
@@ -105,7 +104,7 @@ impl Resolver<'_> {
     ) -> Option<Default> {
         let [entry, count] = parts;
         let count_value = self.value(count)?.constant.filter(|c| c.is_integer());
-        let Some(repeats) = count_value.and_then(|c| c.to_integer().to_usize()) else {
+        let Some(repeats) = count_value.and_then(|c| usize::try_from(c.to_i64()?).ok()) else {
             self.diagnostics.push(head::table_length(count.place));
             return None;
         };

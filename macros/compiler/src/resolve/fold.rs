@@ -8,7 +8,6 @@ use crate::ast::{self, Expr, Pattern};
 use crate::catalogue::{constants, names, shapes};
 use crate::diagnostic::Place;
 use crate::tree::{Fold, Over, Shape, TermKind};
-use num_traits::ToPrimitive;
 
 /// The most folds of a formula: sets of them are the bits of one word in the graph.
 pub const MOST_FOLDS: usize = 64;
@@ -80,7 +79,6 @@ impl Resolver<'_> {
             return None;
         };
         let bound = constant
-            .to_integer()
             .to_i64()
             .filter(|b| b.unsigned_abs() <= MOST_BOUND.unsigned_abs());
         if bound.is_none() {

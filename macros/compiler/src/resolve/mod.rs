@@ -14,8 +14,8 @@ mod table;
 use crate::ast::{Body, Expr, Input, Name};
 use crate::catalogue::{shapes, syntax};
 use crate::diagnostic::Diagnostics;
+use crate::exact::Rational;
 use crate::tree::{self, Formula, Term, TermKind};
-use num_rational::BigRational;
 use proc_macro2::TokenStream;
 use scope::Scope;
 use std::collections::HashSet;
@@ -70,7 +70,7 @@ pub fn resolve(input: Input, diagnostics: &mut Diagnostics) -> Formula {
 /// Stands for a formula that has mistakes.
 fn nothing(at: &Expr) -> Term {
     Term {
-        kind: TermKind::Number(BigRational::from_integer(0.into())),
+        kind: TermKind::Number(Rational::from(0)),
         source: at.place.source(),
     }
 }
@@ -90,7 +90,7 @@ enum Setting {
 struct Value {
     term: Term,
     /// Its value, where that is a rational number that the compiler knows.
-    constant: Option<BigRational>,
+    constant: Option<Rational>,
     /// Does it depend on the point?
     moves: bool,
 }
@@ -110,7 +110,7 @@ impl Value {
 
 /// What is known of a `let`.
 struct Fact {
-    constant: Option<BigRational>,
+    constant: Option<Rational>,
     moves: bool,
     /// Height of its tree with every `let` written out.
     depth: u32,

@@ -5,9 +5,8 @@ use super::scope::{Found, Meaning};
 use super::{Resolver, Setting, Value};
 use crate::ast::{Expr, ExprKind, Name};
 use crate::catalogue::{head, shapes};
+use crate::exact::Rational;
 use crate::tree::{Index, Operator, Over, Shape, TermKind};
-use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
 use proc_macro2::Ident;
 
 /// A number, or a table that may still be indexed.
@@ -211,7 +210,7 @@ impl Resolver<'_> {
     /// An index, checked against the length where that is known.
     fn index(&mut self, expr: &Expr, shape: &Shape, length: Option<usize>) -> Option<Index> {
         let (counter, offset) = self.affine(expr)?;
-        let offset = match offset.is_integer().then(|| offset.to_integer().to_i64()) {
+        let offset = match offset.is_integer().then(|| offset.to_i64()) {
             Some(Some(offset)) if offset.unsigned_abs() < 1 << 40 => offset,
             Some(_) => {
                 self.diagnostics
@@ -245,21 +244,17 @@ impl Resolver<'_> {
     }
 
     /// A constant, or the counter of a fold plus a constant.
-    fn affine(&mut self, expr: &Expr) -> Option<(Option<usize>, BigRational)> {
+    fn affine(&mut self, expr: &Expr) -> Option<(Option<usize>, Rational)> {
         match &expr.kind {
             ExprKind::Name(name) => {
                 if let Some(Found::Declared(Meaning::Counter(fold))) = self.find(&name.text) {
-                    return Some((Some(fold), BigRational::zero()));
+                    return Some((Some(fold), Rational::from(0)));
                 }
             }
             ExprKind::Binary(operator @ (Operator::Add | Operator::Subtract), a, b) => {
                 let left = self.affine(a);
                 let right = self.affine(b);
                 let ((left, a_offset), (right, b_offset)) = (left?, right?);
-                let sign = match operator {
-                    Operator::Add => BigRational::one(),
-                    _ => -BigRational::one(),
-                };
                 let counter = match (left, right) {
                     (counter, None) => counter,
                     (None, counter) if *operator == Operator::Add => counter,
@@ -268,7 +263,11 @@ impl Resolver<'_> {
                         return None;
                     }
                 };
-                return Some((counter, a_offset + sign * b_offset));
+                let offset = match operator {
+                    Operator::Add => &a_offset + &b_offset,
+                    _ => &a_offset - &b_offset,
+                };
+                return Some((counter, offset));
             }
             _ => {}
         }

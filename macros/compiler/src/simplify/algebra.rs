@@ -1,9 +1,8 @@
 //! Sums, products, quotients and powers.
 
+use crate::exact::Rational;
 use crate::graph::{Graph, Id, Op, Sign};
 use crate::tree::FoldKind;
-use num_rational::BigRational;
-use num_traits::{Pow, Signed, ToPrimitive, Zero};
 
 fn opposite(s: Sign) -> Sign {
     match s {
@@ -49,7 +48,7 @@ impl Graph {
         match (self.op(a).clone(), self.op(b).clone()) {
             _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
-                if let Some(id) = self.exact(x + y) {
+                if let Some(id) = self.exact(&x + &y) {
                     return id;
                 }
             }
@@ -72,7 +71,7 @@ impl Graph {
         match (self.op(a).clone(), self.op(b).clone()) {
             _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
-                if let Some(id) = self.exact(x - y) {
+                if let Some(id) = self.exact(&x - &y) {
                     return id;
                 }
             }
@@ -96,7 +95,7 @@ impl Graph {
         match (self.op(a).clone(), self.op(b).clone()) {
             _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
-                if let Some(id) = self.exact(x * y) {
+                if let Some(id) = self.exact(&x * &y) {
                     return id;
                 }
             }
@@ -126,7 +125,7 @@ impl Graph {
             }
             (Op::Literal(x), Op::Multiply(p, q)) | (Op::Multiply(p, q), Op::Literal(x)) => {
                 if let Some((c, rest)) = self.literal_factor(p, q)
-                    && let Some(id) = self.exact(x * c)
+                    && let Some(id) = self.exact(&x * &c)
                 {
                     return self.multiply(id, rest);
                 }
@@ -139,7 +138,7 @@ impl Graph {
         self.node(Op::Multiply(a, b), degree, sign, false)
     }
 
-    fn literal_factor(&self, p: Id, q: Id) -> Option<(BigRational, Id)> {
+    fn literal_factor(&self, p: Id, q: Id) -> Option<(Rational, Id)> {
         let first = self.literal(p).map(|r| (r.clone(), q));
         first.or_else(|| self.literal(q).map(|r| (r.clone(), p)))
     }
@@ -152,8 +151,8 @@ impl Graph {
     pub fn divide(&mut self, a: Id, b: Id) -> Id {
         if let Some(y) = self.literal(b).cloned()
             && self.rewrites()
-            && !y.is_zero()
-            && let Some(inverse) = self.exact(y.recip())
+            && let Some(inverse) = y.reciprocal()
+            && let Some(inverse) = self.exact(inverse)
         {
             return self.multiply(inverse, a);
         }
@@ -179,9 +178,10 @@ impl Graph {
             (_, 1) => return a,
             (_, 0) if self.info(a).total => return self.integer(1),
             (Op::Literal(x), _) => {
-                let bits = x.numer().bits().max(x.denom().bits());
+                let bits = x.bits();
                 if bits.saturating_mul(n.into()) <= 2 * super::LITERAL_BITS
-                    && let Some(id) = self.exact(Pow::pow(x, n))
+                    && let Some(power) = i32::try_from(n).ok().and_then(|n| x.power(n))
+                    && let Some(id) = self.exact(power)
                 {
                     return id;
                 }
@@ -216,7 +216,12 @@ impl Graph {
         let doubled = &e + &e;
         let n = doubled
             .is_integer()
-            .then(|| doubled.numer().abs().to_u32())
+            .then(|| {
+                doubled
+                    .numerator()
+                    .to_u64()
+                    .and_then(|n| u32::try_from(n).ok())
+            })
             .flatten();
         let Some(n) = n else {
             return self.real_power(a, b);
@@ -240,17 +245,14 @@ impl Graph {
     }
 
     /// The number of an expression of literals. Simplified, it is one literal already.
-    fn rational(&self, id: Id) -> Option<BigRational> {
+    fn rational(&self, id: Id) -> Option<Rational> {
         Some(match *self.op(id) {
             Op::Literal(ref r) => r.clone(),
             Op::Negate(a) => -self.rational(a)?,
-            Op::Add(a, b) => self.rational(a)? + self.rational(b)?,
-            Op::Subtract(a, b) => self.rational(a)? - self.rational(b)?,
-            Op::Multiply(a, b) => self.rational(a)? * self.rational(b)?,
-            Op::Divide(a, b) => {
-                let b = self.rational(b).filter(|b| !b.is_zero())?;
-                self.rational(a)? / b
-            }
+            Op::Add(a, b) => &self.rational(a)? + &self.rational(b)?,
+            Op::Subtract(a, b) => &self.rational(a)? - &self.rational(b)?,
+            Op::Multiply(a, b) => &self.rational(a)? * &self.rational(b)?,
+            Op::Divide(a, b) => self.rational(a)?.over(&self.rational(b)?)?,
             _ => return None,
         })
     }

@@ -1,5 +1,6 @@
 //! Comparisons and choices.
 
+use crate::exact::Rational;
 use crate::graph::{Graph, Id, Op, Sign, Undecided};
 
 impl Graph {
@@ -10,8 +11,8 @@ impl Graph {
 
     /// The derivative of |a|.
     pub fn abs_slope(&mut self, a: Id) -> Id {
-        let positive = |r: &num_rational::BigRational| *r > num_traits::Zero::zero();
-        if self.rewrites() && self.literal(a).is_some_and(positive) {
+        let literal = self.literal(a);
+        if self.rewrites() && literal.is_some_and(Rational::is_positive) {
             return self.integer(1);
         }
         self.node(Op::AbsSlope(a), None, Sign::Unknown, false)

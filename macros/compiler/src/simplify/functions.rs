@@ -1,10 +1,8 @@
 //! Elementary functions.
 
+use crate::exact::Rational;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Sign};
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::Signed;
 
 impl Graph {
     /// A function of one argument.
@@ -80,13 +78,10 @@ impl Graph {
 }
 
 /// The value at a rational point, where it is rational and cheap to know.
-fn exact_value(f: Function, r: &BigRational) -> Option<BigRational> {
+fn exact_value(f: Function, r: &Rational) -> Option<Rational> {
     match f {
         Function::Abs => Some(r.abs()),
-        Function::Sqrt if !r.is_negative() => {
-            let root = BigRational::new(exact_root(r.numer())?, exact_root(r.denom())?);
-            Some(root)
-        }
+        Function::Sqrt => r.exact_root(),
         Function::Exp | Function::Exp2 | Function::Cos | Function::Cosh if is(r, 0) => {
             Some(whole(1))
         }
@@ -110,17 +105,12 @@ fn exact_value(f: Function, r: &BigRational) -> Option<BigRational> {
     }
 }
 
-fn whole(n: i64) -> BigRational {
-    BigRational::from_integer(n.into())
+fn whole(n: i64) -> Rational {
+    Rational::from(n)
 }
 
-fn is(r: &BigRational, n: i64) -> bool {
+fn is(r: &Rational, n: i64) -> bool {
     *r == whole(n)
-}
-
-fn exact_root(n: &BigInt) -> Option<BigInt> {
-    let root = n.sqrt();
-    (&root * &root == *n).then_some(root)
 }
 
 fn sign_of_value(f: Function, a: Sign) -> Sign {

@@ -6,16 +6,15 @@ mod algebra;
 mod choice;
 mod functions;
 
+use crate::exact::Rational;
 use crate::graph::{Graph, Id, Info, Op, Scope, Sign};
-use num_rational::BigRational;
-use num_traits::{One, Zero};
 
 /// Literals larger than this stay operations of the surface stage.
 const LITERAL_BITS: u64 = 4096;
 
 impl Graph {
     /// An exact number.
-    pub fn number(&mut self, r: BigRational) -> Id {
+    pub fn number(&mut self, r: Rational) -> Id {
         let sign = crate::graph::sign_of(&r);
         self.intern(Op::Literal(r), |_| Info {
             degree: Some(0),
@@ -27,7 +26,7 @@ impl Graph {
 
     /// A whole number.
     pub fn integer(&mut self, n: i64) -> Id {
-        self.number(BigRational::from_integer(n.into()))
+        self.number(Rational::from(n))
     }
 
     /// A node without operands that is neither a number nor a leaf.
@@ -61,16 +60,15 @@ impl Graph {
     }
 
     pub(crate) fn is(&self, id: Id, n: i64) -> bool {
-        self.literal(id)
-            .is_some_and(|r| *r == BigRational::from_integer(n.into()))
+        self.literal(id).is_some_and(|r| *r == Rational::from(n))
     }
 
     pub(crate) fn is_zero(&self, id: Id) -> bool {
-        self.literal(id).is_some_and(Zero::is_zero)
+        self.literal(id).is_some_and(Rational::is_zero)
     }
 
     pub(crate) fn is_one(&self, id: Id) -> bool {
-        self.literal(id).is_some_and(One::is_one)
+        self.literal(id).is_some_and(Rational::is_one)
     }
 
     pub(crate) fn nonnegative(&self, id: Id) -> bool {
@@ -78,8 +76,8 @@ impl Graph {
     }
 
     /// A number, if it is small enough to stay exact.
-    fn exact(&mut self, r: BigRational) -> Option<Id> {
-        (r.numer().bits().max(r.denom().bits()) <= LITERAL_BITS).then(|| self.number(r))
+    fn exact(&mut self, r: Rational) -> Option<Id> {
+        (r.bits() <= LITERAL_BITS).then(|| self.number(r))
     }
 
     /// A node whose degree, sign and partiality the caller knows; totality and scope are those of the operands.
