@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The zoo's oracle: true roots along rays, by exact polynomials or ball arithmetic at 200 bits (python-flint).
 
-    oracle.py rays SURFACE COUNT SEED      writes rays: random ones, and a tenth each tangent and special
+    oracle.py all COUNT SEED               all of it, for each surface: a table; builds the tracer with Cargo
+    oracle.py rays SURFACE COUNT SEED      writes rays: random ones, a twentieth each tangent and special
     oracle.py judge [--table] < ANSWERS    compares answers with the truth; exits with 1 if one is wrong
     oracle.py fixture SURFACE COUNT SEED   writes rays with their true roots, for a test that runs without this script
 
@@ -19,12 +20,41 @@ except ImportError:
 
 ctx.prec = 200
 
+import contextlib  # noqa: E402
+import io  # noqa: E402
+import multiprocessing  # noqa: E402
+import pathlib  # noqa: E402
+import subprocess  # noqa: E402
+
 import rays  # noqa: E402
 import verdicts  # noqa: E402
+from formulas import ZOO  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TRACE = ["cargo", "run", "--quiet", "--release", "-p", "zeroset-zoo"]
+
+
+def one(job):
+    """Rays, answers and judgement for one surface."""
+    name, count, seed = job
+    text = io.StringIO()
+    with contextlib.redirect_stdout(text):
+        rays.write(name, count, seed)
+    answers = subprocess.run(TRACE, cwd=ROOT, input=text.getvalue(), capture_output=True, text=True, check=True)
+    return verdicts.tallies(answers.stdout.splitlines())
+
+
+def everything(count, seed):
+    subprocess.run([*TRACE, "--", "names"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    with multiprocessing.Pool() as pool:
+        found = pool.map(one, [(name, count, seed) for name in ZOO], chunksize=1)
+    return verdicts.report([tally for list_ in found for tally in list_], table=True)
 
 
 def main(arguments):
     match arguments:
+        case ["all", count, seed]:
+            return everything(int(count), int(seed))
         case ["rays", name, count, seed]:
             rays.write(name, int(count), int(seed))
             return 0
@@ -32,9 +62,9 @@ def main(arguments):
             rays.fixture(name, int(count), int(seed))
             return 0
         case ["judge"]:
-            return verdicts.judge(sys.stdin, table=False)
+            return verdicts.report(verdicts.tallies(sys.stdin), table=False)
         case ["judge", "--table"]:
-            return verdicts.judge(sys.stdin, table=True)
+            return verdicts.report(verdicts.tallies(sys.stdin), table=True)
     print(__doc__, file=sys.stderr)
     return 2
 

@@ -1,5 +1,6 @@
 """Answers against the truth."""
 
+import math
 import statistics
 from fractions import Fraction
 
@@ -39,8 +40,9 @@ HEAD = ["surface", "rays", "true roots", "root", "tangent", "crossing", "open", 
         "open among easy", "median ulps", "wrong"]
 
 
-def judge(file, table):
-    tallies, ray, events, tally = [], None, [], None
+def tallies(lines):
+    """Judges answers, surface by surface."""
+    found, ray, events, tally = [], None, [], None
 
     def finish():
         if ray:
@@ -49,24 +51,24 @@ def judge(file, table):
             except ZeroDivisionError:
                 tally.undecided += 1
 
-    for line in file:
+    for line in lines:
         word, *rest = line.split()
         if word == "surface":
             finish()
             ray, events = None, []
             tally = Tally(rest[0])
-            tallies.append(tally)
+            found.append(tally)
         elif word == "ray":
             finish()
             ray, events = rest, []
         elif word in KINDS:
             events.append((word, *[number(w) for w in rest[:2]]))
     finish()
-    report(tallies, table)
-    return 1 if not tallies or any(t.wrong for t in tallies) else 0
+    return found
 
 
 def report(tallies, table):
+    """Prints a line or a row for each; the exit code: 1 if something is wrong, or if nothing was judged."""
     rows = [t.row() for t in tallies]
     rows.append(["all"] + [sum(r[k] for r in rows) for k in range(1, 10)] + ["", sum(r[11] for r in rows)])
     if table:
@@ -77,6 +79,7 @@ def report(tallies, table):
     for tally in tallies:
         for example in tally.examples:
             print(f"wrong, {tally.name}: {example}")
+    return 1 if not tallies or any(t.wrong for t in tallies) else 0
 
 
 def holds(lo, hi, at):
@@ -148,7 +151,6 @@ def claim(tally, words, event, known, box):
 
 def ulps(lo, hi):
     scale = float(max(abs(lo), abs(hi))) or 1.0
-    import math
     return float(hi - lo) / math.ulp(scale)
 
 

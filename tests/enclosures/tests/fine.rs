@@ -108,6 +108,37 @@ fn exp_holds_its_series() {
 }
 
 #[test]
+fn sin_and_cos_hold_their_series() {
+    let mut random = Random(9);
+    for _ in 0..12 {
+        let x = random.number() % 9.0;
+        let exact = rational(x);
+        let mut term = rational(1.0);
+        let mut sums = [rational(0.0), rational(1.0)];
+        for n in 1..90 {
+            term = term * &exact / BigRational::from_integer(BigInt::from(n));
+            // sin takes the odd powers, cos the even ones; signs change every second power.
+            let sum = &mut sums[usize::from(n % 2 == 0)];
+            if n / 2 % 2 == 0 {
+                *sum += &term;
+            } else {
+                *sum -= &term;
+            }
+        }
+        // What is left of the series is below 9⁹⁰/90! < 1e-52.
+        let x = Ball::sum(x, 0.0);
+        for (ball, sum) in [Fine.sin(x), Fine.cos(x)].into_iter().zip(&sums) {
+            let [_, _, radius] = ball.parts();
+            assert!(holds(ball, sum, 1.0), "{x:?}");
+            assert!(radius < 1e-28, "{x:?}: {radius}");
+        }
+    }
+    // Far away the enclosures of f64 take over.
+    let far = Fine.sin(Ball::sum(1e15, 0.0)).interval();
+    assert!(far.contains(0.858_272_793_170_235_9) && far.width() < 1e-14);
+}
+
+#[test]
 fn extremes_are_enclosed_by_anything() {
     for (a, b) in [(1e308, 1e308), (-1e308, 1e-320), (5e-324, 5e-324)] {
         let product = Fine.mul(Ball::sum(a, 0.0), Ball::sum(b, 0.0));
