@@ -1,0 +1,98 @@
+//! Functions of balls.
+
+use super::ball::{Ball, TINY};
+use crate::interval::{Arithmetic, Scalar};
+
+impl Ball {
+    /// e^x = 2^k · (e^(r/512))^512 with r = x − k·ln 2, |r| ≤ 0.36. Taylor's polynomial of degree 9 at |s| ≤ 0.36/512
+    /// has a remainder below |s|¹⁰/10! · e^|s| < 10⁻³⁸.
+    #[inline(never)]
+    pub fn exp(self) -> Ball {
+        /// ln 2 = 0.6931471805599453 + 2.3190468138462996·10⁻¹⁷ + less than 6·10⁻³⁴.
+        const LN_2: Ball = Ball {
+            hi: std::f64::consts::LN_2,
+            lo: 2.319_046_813_846_299_6e-17,
+            radius: 6e-34,
+        };
+        let whole = (self.hi / std::f64::consts::LN_2).round();
+        let near = self.radius < 1e-3 && whole.abs() < 900.0;
+        if !near {
+            return Ball::from_interval(&Scalar.exp(self.interval()));
+        }
+        let r = self.subtract(LN_2.multiply(Ball::exact(whole)));
+        let s = Ball {
+            hi: r.hi / 512.0,
+            lo: r.lo / 512.0,
+            radius: r.radius / 512.0,
+        };
+        let mut sum = Ball::exact(1.0);
+        for n in (1..=9).rev() {
+            // 1 + s/n · (1 + s/(n + 1) · …)
+            let Some(step) = s.divide(Ball::exact(f64::from(n))) else {
+                return Ball::ANY;
+            };
+            sum = Ball::exact(1.0).add(step.multiply(sum));
+        }
+        sum.radius += 1e-38;
+        for _ in 0..9 {
+            sum = sum.multiply(sum);
+        }
+        let scale = 2f64.powi(whole as i32);
+        Ball::new(sum.hi * scale, sum.lo * scale, sum.radius * scale + TINY)
+    }
+
+    /// sin a and cos a at r = a − k·π/2, |r| ≤ 0.8, by Taylor's polynomials of degree 31 and 30: their remainders are
+    /// below 0.8³³/33! and 0.8³²/32!, both less than 10⁻³⁸. Nothing for large or wide arguments.
+    #[inline(never)]
+    fn sin_cos(self) -> Option<[Ball; 2]> {
+        /// π/2 = 1.5707963267948966 + 6.123233995736766·10⁻¹⁷ − 1.4973849048591833·10⁻³³ + …
+        const HALF_PI: Ball = Ball {
+            hi: std::f64::consts::FRAC_PI_2,
+            lo: 6.123_233_995_736_766e-17,
+            radius: 1.5e-33,
+        };
+        let whole = (self.hi / std::f64::consts::FRAC_PI_2).round();
+        let r = self.subtract(HALF_PI.multiply(Ball::exact(whole)));
+        if whole.abs() > 1e6 || self.radius > 1e-3 || r.most() > 0.8 {
+            return None;
+        }
+        let square = r.multiply(r);
+        let series = |last: i32| {
+            let mut sum = Ball::exact(1.0);
+            for n in (1..=last).rev().step_by(2) {
+                // 1 − r²/(n(n − 1)) · (1 − …), from n = last down to 3 or 2.
+                if n < 2 {
+                    break;
+                }
+                let step = square.divide(Ball::exact(f64::from(n * (n - 1))))?;
+                sum = Ball::exact(1.0).subtract(step.multiply(sum));
+            }
+            Some(sum)
+        };
+        let (mut sin, mut cos) = (r.multiply(series(31)?), series(30)?);
+        sin.radius += 1e-38;
+        cos.radius += 1e-38;
+        Some(match whole.rem_euclid(4.0) as u8 {
+            0 => [sin, cos],
+            1 => [cos, sin.negate()],
+            2 => [sin.negate(), cos.negate()],
+            _ => [cos.negate(), sin],
+        })
+    }
+
+    /// sin a
+    pub fn sin(self) -> Ball {
+        self.sin_cos().map_or_else(
+            || Ball::from_interval(&Scalar.sin(self.interval())),
+            |[sin, _]| sin,
+        )
+    }
+
+    /// cos a
+    pub fn cos(self) -> Ball {
+        self.sin_cos().map_or_else(
+            || Ball::from_interval(&Scalar.cos(self.interval())),
+            |[_, cos]| cos,
+        )
+    }
+}
