@@ -1,7 +1,8 @@
 //! Natural numbers of any size.
 //!
 //! The algorithms are those of Knuth, *The Art of Computer Programming*, volume 2, section 4.3.1, on digits of 32 bits.
-//! The tests compare them with `num-bigint`, which would do as well but takes as long to compile as the compiler itself.
+//! The tests compare them with `num-bigint`, which would do as well, but whose compilation took 2.9 of the 6.8 s of the
+//! macro's.
 
 use std::cmp::Ordering;
 use std::fmt;
