@@ -1,7 +1,7 @@
 //! Functions of balls.
 
 use super::ball::{Ball, TINY};
-use crate::interval::{Arithmetic, Scalar};
+use crate::interval::{Arithmetic, Lanes, Scalar};
 
 impl Ball {
     /// e^x = 2^k · (e^(r/512))^512 with r = x − k·ln 2, |r| ≤ 0.36. Taylor's polynomial of degree 9 at |s| ≤ 0.36/512
@@ -37,7 +37,8 @@ impl Ball {
         for _ in 0..9 {
             sum = sum.multiply(sum);
         }
-        let scale = 2f64.powi(whole as i32);
+        // The library's powi promises no exact result.
+        let scale = Scalar.pow2(whole);
         Ball::new(sum.hi * scale, sum.lo * scale, sum.radius * scale + TINY)
     }
 
