@@ -100,6 +100,8 @@ pub struct Let {
     pub name: Ident,
     /// Its value.
     pub value: Term,
+    /// Does the compiler know its number? It may then be used where only the compiler sees it: in bounds and indices.
+    pub known: bool,
 }
 
 /// What a fold runs over.

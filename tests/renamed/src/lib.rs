@@ -97,3 +97,39 @@ pub fn hidden(point: [f64; 3]) -> f64 {
     use shapes::Surface as _;
     inner::Hidden.at(point)
 }
+
+/// Everything that generated code names, under other meanings.
+pub mod shadowed {
+    #![allow(non_camel_case_types, dead_code)]
+    struct f64;
+    struct bool;
+    struct usize;
+    struct Vec;
+    struct Option;
+    struct Result;
+    struct Some;
+    struct None;
+    struct Ok;
+    struct Err;
+    trait Default {}
+    trait Surface {}
+    trait Arithmetic {}
+    mod std {}
+    mod core {}
+    mod certified {}
+
+    ::certified::implicit! {
+        /// Its fields are of the primitive type all the same.
+        #[derive(Debug)]
+        pub struct Shadowed {
+            /// Numbers.
+            pub row: [f64; 3] = [1; 3],
+            /// Rows.
+            pub rows: [[f64; 2]] = [[1, 2]],
+        }
+        // Known numbers that only bounds and indices use.
+        let first = 1;
+        let last = first + 1;
+        x^2 + sum(i in 0..last) { i*y } + row[last] + sum([a, b] in rows) { a*z + b }
+    }
+}

@@ -92,7 +92,7 @@ pub fn setters(name: &Ident, fields: &[FieldHead]) -> TokenStream {
         quote! {
             #[doc = #doc]
             #[must_use]
-            #[allow(dead_code, clippy::needless_update)]
+            #[allow(dead_code, clippy::needless_update, clippy::missing_const_for_fn)]
             #visibility fn #method(self, #field: #ty) -> Self {
                 // No assignment: rustc would take it for a use of the field.
                 Self { #field, ..self }

@@ -43,10 +43,7 @@ impl Scalar<'_> {
         let lets = indices.iter().filter_map(|k| self.formula.lets.get(*k));
         let lines = lets.map(|l| {
             let (name, value) = (&l.name, self.term(&l.value));
-            // A known number may be used where only the compiler sees it: in bounds and indices.
-            let quiet = self
-                .rational(&l.value, 0)
-                .map(|_| quote!(#[allow(unused_variables)]));
+            let quiet = l.known.then(|| quote!(#[allow(unused_variables)]));
             quote!(#quiet let #name: __zeroset::primitive::f64 = #value;)
         });
         quote!(#(#lines)*)

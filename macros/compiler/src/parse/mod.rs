@@ -25,6 +25,7 @@ use crate::catalogue::syntax;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use cursor::Cursor;
 use proc_macro2::{Ident, TokenStream};
+pub use types::primitive;
 
 /// The deepest nesting of brackets and operators. Later passes recurse over the tree.
 pub const MOST_LEVELS: u16 = 256;

@@ -8,7 +8,7 @@ use crate::ast::Type;
 use crate::catalogue::head;
 use crate::diagnostic::Place;
 use crate::tree::Shape;
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 /// The most rows of a table: beyond, the struct would not fit on a stack by far.
@@ -34,7 +34,7 @@ impl Parser<'_> {
             return Type {
                 shape: Shape::Number,
                 sound: true,
-                tokens: TokenTree::from(word).into(),
+                tokens: primitive(word),
             };
         }
         match cursor.group(0, Delimiter::Bracket).cloned() {
@@ -179,12 +179,17 @@ impl Parser<'_> {
     }
 }
 
+/// The primitive, by a path that nobody can shadow; the last token is the user's.
+pub fn primitive(word: Ident) -> TokenStream {
+    quote!(::core::primitive::#word)
+}
+
 /// What stands in for a type after a mistake.
 fn number_type() -> Type {
     Type {
         shape: Shape::Number,
         sound: false,
-        tokens: quote!(f64),
+        tokens: quote!(::core::primitive::f64),
     }
 }
 

@@ -227,12 +227,14 @@ impl Resolver<'_> {
     fn bind(&mut self, name: &Name, value: Value, depth: u32) {
         self.scope
             .declare(&name.text, scope::Meaning::Let(self.lets.len()));
+        let known = value.constant.is_some();
         self.facts.push(Fact {
             constant: value.constant,
             moves: value.moves,
             depth,
         });
         self.lets.push(tree::Let {
+            known,
             name: name.ident.clone(),
             value: value.term,
         });

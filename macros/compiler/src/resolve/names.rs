@@ -7,7 +7,7 @@ use crate::catalogue::names;
 use crate::diagnostic::Diagnostic;
 use crate::functions::Function;
 use crate::tree;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 
 impl Resolver<'_> {
     /// What an unknown name is: a captured local, or a mistake.
@@ -30,7 +30,7 @@ impl Resolver<'_> {
             visibility: TokenStream::new(),
             name: ident,
             shape: tree::Shape::Number,
-            ty: quote::quote_spanned!(span=> f64),
+            ty: crate::parse::primitive(Ident::new("f64", span)),
             default: None,
         });
         self.fields.len() - 1

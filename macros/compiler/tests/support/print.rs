@@ -35,7 +35,8 @@ pub fn formula(formula: &Formula) -> String {
             none if none.is_empty() => none,
             some => some + " ",
         };
-        write!(text, "field {visibility}{}: {}", field.name, field.ty).unwrap();
+        let ty = field.ty.to_string().replace(":: core :: primitive :: ", "");
+        write!(text, "field {visibility}{}: {ty}", field.name).unwrap();
         if let Some(value) = &field.default {
             write!(text, " = {}", default(value)).unwrap();
         }
