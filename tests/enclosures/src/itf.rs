@@ -153,61 +153,70 @@ fn set_of(text: &str) -> Result<Set, String> {
         _ => {}
     }
     let (lo, hi) = text.split_once(',').unwrap_or((text, text));
-    let bound = |x| number(x).ok_or_else(|| format!("[{text}]: `{x}` is not a number"));
-    Interval::try_new(bound(lo)?, bound(hi)?)
+    let bound = |x| enclosed(x).ok_or_else(|| format!("[{text}]: `{x}` is not a number"));
+    Interval::try_new(bound(lo)?.0, bound(hi)?.1)
         .map(Set::Some)
         .map_err(|error| format!("[{text}]: {error}"))
 }
 
-/// A number, or a word such as `true`; what begins like a number must be one.
+/// A number, or a word such as `true`, or a number between two doubles; what begins like a number must be one.
 fn word_of(word: &str) -> Result<Set, String> {
-    match number(word) {
-        Some(x) => Ok(Set::Number(x)),
-        None if word.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => {
-            Err(format!("`{word}` is not a number"))
-        }
-        None => Ok(Set::Other(word.to_owned())),
+    let like_a_number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
+    match enclosed(word) {
+        Some((least, most)) if least == most => Ok(Set::Number(least)),
+        None if word.starts_with(like_a_number) => Err(format!("`{word}` is not a number")),
+        _ => Ok(Set::Other(word.to_owned())),
     }
 }
 
-/// A decimal or hexadecimal number, to nearest.
-fn number(text: &str) -> Option<f64> {
+/// The doubles around a number: decimal ones count as their nearest double, which is what the authors' programs read.
+fn enclosed(text: &str) -> Option<(f64, f64)> {
     let text = text.trim();
     let (negative, size) = match text.strip_prefix('-') {
         Some(size) => (true, size),
         None => (false, text.strip_prefix('+').unwrap_or(text)),
     };
     let lower = size.to_ascii_lowercase();
-    let value = match lower.strip_prefix("0x") {
+    let both = |x| (x, x);
+    let (least, most) = match lower.strip_prefix("0x") {
         Some(hex) => hexadecimal(hex)?,
-        None if lower == "infinity" || lower == "inf" => f64::INFINITY,
+        None if lower == "infinity" || lower == "inf" => both(f64::INFINITY),
         None if lower.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
-            lower.parse().ok()?
+            both(lower.parse().ok()?)
         }
         None => return None,
     };
-    Some(if negative { -value } else { value })
+    Some(if negative {
+        (-most, -least)
+    } else {
+        (least, most)
+    })
 }
 
-/// `h.hhhp±d`; `None` for more digits than 64 bits hold, and for a value that is no double.
-fn hexadecimal(text: &str) -> Option<f64> {
+/// The doubles around `h.hhhp±d`; `None` for more digits than 64 bits hold, and beyond the range of doubles.
+fn hexadecimal(text: &str) -> Option<(f64, f64)> {
     let (digits, exponent) = text.split_once('p').unwrap_or((text, "0"));
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
     let mantissa = u64::from_str_radix(&format!("{whole}{fraction}"), 16).ok()?;
     let places = i32::try_from(fraction.len()).ok()?;
     let exponent = exponent.parse::<i32>().ok()?.checked_sub(4 * places)?;
     if mantissa == 0 {
-        return Some(0.0);
+        return Some((0.0, 0.0));
     }
     // Without zeros at its end the whole number is at most 53 bits long, if this is a double.
     let zeros = mantissa.trailing_zeros();
     let (mantissa, exponent) = (mantissa >> zeros, exponent.checked_add(zeros as i32)?);
     let bits = 64 - mantissa.leading_zeros() as i32;
-    let exact = bits <= 53 && (-1074..=1024 - bits).contains(&exponent);
+    if !(-1074..=1024 - bits).contains(&exponent) {
+        return None;
+    }
+    let spare = (bits - 53).max(0);
+    let (mantissa, exponent) = (mantissa >> spare, exponent + spare);
     // Two steps: the power alone may be no double while the product is one.
     let half = exponent / 2;
     let power = |n: i32| f64::from_bits(((1023 + n) as u64) << 52);
-    exact.then(|| mantissa as f64 * power(half) * power(exponent - half))
+    let least = mantissa as f64 * power(half) * power(exponent - half);
+    Some((least, if spare > 0 { least.next_up() } else { least }))
 }
 
 #[cfg(test)]

@@ -1,5 +1,10 @@
 use super::*;
 
+/// A number that is a double.
+fn number(text: &str) -> Option<f64> {
+    enclosed(text).filter(|x| x.0 == x.1).map(|x| x.0)
+}
+
 #[test]
 fn cases_are_read() {
     let text = "/* a\n comment; */\ntestcase x {\n  add [1.0,2.0]_com [-infinity,-0X1.8P+1] = [-infinity,-1.0]_dac;\n  pown [13.1, 13.1] 2 = [empty]; // 13.1;\n  neg [nai] = [nai];\n  sub [1.0]\n    [1, 1] = [0,0] <= [-1,1];\n  isEmpty [empty] = true;\n}\n";
@@ -70,6 +75,13 @@ fn hexadecimal_numbers_are_exact() {
     assert_eq!(number("0x1p-1074"), Some(f64::from_bits(1)));
     assert_eq!(number("0x1.8p-1022"), Some(1.5 * f64::MIN_POSITIVE));
     assert_eq!(number("0x1.8000000000000p4"), Some(24.0));
+    // A bound that is no double is rounded outward.
+    let bounds = set_of("-0x1.FFFFFFFFFFFFF8p0, 0x1.00000000000008p0");
+    let outward = Interval {
+        lo: -2.0,
+        hi: 1.0f64.next_up(),
+    };
+    assert_eq!(bounds, Ok(Set::Some(outward)));
     // Not doubles.
     for text in ["0x1p1024", "0x1p-1075", "0x1.FFFFFFFFFFFFF8p0", "nan", "1e"] {
         assert_eq!(number(text), None, "{text}");
