@@ -34,11 +34,7 @@ fn points(brackets: &[Bracket]) -> Vec<Operands> {
 
 /// Points whose enclosure misses the value.
 fn misses(backend: Backend, name: &str) -> Vec<String> {
-    let mut brackets = brackets(name);
-    if cfg!(miri) {
-        // Miri is slow.
-        brackets = brackets.into_iter().step_by(200).collect();
-    }
+    let brackets = brackets(name);
     assert!(
         cfg!(miri) || brackets.len() > 200,
         "{name}: {} fixtures",
