@@ -21,6 +21,12 @@ impl Events {
         self.touched |= 1 << lane;
     }
 
+    /// Takes out what is known of one ray.
+    pub fn take(&mut self, lane: usize) -> Vec<Verdict> {
+        self.touched &= !(1 << lane);
+        core::mem::take(&mut self.of[lane])
+    }
+
     /// Forgets all, and keeps the room.
     #[inline(always)]
     pub fn clear(&mut self) {

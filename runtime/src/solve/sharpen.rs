@@ -53,7 +53,8 @@ pub(super) fn sharpen<P: Packet>(mut second: Second<'_, P>, t: &mut Interval<P::
         hi: p.lanes(hi),
     };
     for lane in (0..8).filter(|lane| touched >> lane & 1 != 0) {
-        for event in core::mem::take(&mut second.events.of[lane]) {
+        let events = second.events.take(lane);
+        for event in events {
             second.event(lane, event);
         }
     }
