@@ -2,7 +2,7 @@
 
 use super::enclose::Enclose;
 use super::functions;
-use super::lanes::operations;
+use super::lanes::{operation, operations};
 use super::{Arithmetic, Flags, Interval, Lanes, Truth, Undecided};
 
 type Bounds<P> = Interval<<P as Lanes>::F>;
@@ -38,6 +38,20 @@ impl<P: Enclose> Arithmetic for P {
     #[inline(always)]
     fn exp(self, a: Interval<P::F>) -> Interval<P::F> {
         self.i_exp(a)
+    }
+    #[inline(always)]
+    fn sin(self, a: Interval<P::F>) -> Interval<P::F> {
+        if P::INLINES_LONG {
+            return self.i_sin(a);
+        }
+        operation!(<P: Enclose> self, (a: Bounds<P> = &a) -> Bounds<P> = p => p.i_sin(a))
+    }
+    #[inline(always)]
+    fn cos(self, a: Interval<P::F>) -> Interval<P::F> {
+        if P::INLINES_LONG {
+            return self.i_cos(a);
+        }
+        operation!(<P: Enclose> self, (a: Bounds<P> = &a) -> Bounds<P> = p => p.i_cos(a))
     }
 
     operations! {
@@ -120,8 +134,6 @@ impl<P: Enclose> Arithmetic for P {
             (functions::derived::log2(p, a), functions::domain::above(p, a, 0.0));
         log10(a: Bounds<P>) -> Flagged<P> = p =>
             (functions::derived::log10(p, a), functions::domain::above(p, a, 0.0));
-        sin(a: Bounds<P>) -> Bounds<P> = p => p.i_sin(a);
-        cos(a: Bounds<P>) -> Bounds<P> = p => p.i_cos(a);
         tan(a: Bounds<P>) -> Flagged<P> = p => {
             let range = p.i_tan(a);
             // Between its poles the tangent of a double is finite.

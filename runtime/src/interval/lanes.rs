@@ -29,6 +29,9 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// Are directed results the optimal ones, so that they have the sign of the exact result (or are 0)? Where they are
     /// not, an exact 0 may be widened to the smallest subnormal.
     const OPTIMAL: bool;
+    /// Are sine and cosine inlined into formulas? Calls cost a gyroid a tenth of its time, and inlining costs seconds of
+    /// compilation, on AVX2 twice as many.
+    const INLINES_LONG: bool = false;
 
     /// Runs `kernel` as one function of its own, compiled for this instruction set, into which everything that
     /// it calls is inlined. This is where inlining stops.

@@ -74,6 +74,7 @@ impl<R: Rounding> Lanes for Avx512<R> {
     ]);
     const DIRECTED: bool = R::HOLDS;
     const OPTIMAL: bool = true;
+    const INLINES_LONG: bool = true;
 
     #[inline(always)]
     fn kernel<K: Kernel>(self, kernel: K) -> K::Output {
