@@ -315,6 +315,6 @@ impl<F: Formula> Surface for Hand<F> {
         _prepared: &F,
         _point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10> {
-        unimplemented!("the tracer does not use Hessians in space")
+        unreachable!("the tracer does not use Hessians in space")
     }
 }

@@ -87,7 +87,7 @@ impl Surface for Blobs {
     }
     #[inline(always)]
     fn at(&self, _point: [f64; 3]) -> f64 {
-        unimplemented!("not used here")
+        unreachable!("the tracer does not use plain values in space")
     }
     #[inline(always)]
     fn prepare(&self) -> Blobs {
@@ -219,7 +219,7 @@ impl Surface for Blobs {
         _prepared: &Blobs,
         _point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10> {
-        unimplemented!("the tracer does not use Hessians in space")
+        unreachable!("the tracer does not use Hessians in space")
     }
 }
 
@@ -353,7 +353,7 @@ impl Surface for Ball {
         _prepared: &Interval,
         _point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10> {
-        unimplemented!("the tracer does not use Hessians in space")
+        unreachable!("the tracer does not use Hessians in space")
     }
     #[inline(always)]
     fn quadric<P: Packet>(bound: &Quadratic<P>) -> Option<&Quadratic<P>> {
