@@ -44,7 +44,7 @@ impl Contractor for Auto {
 /// for t − a < f(a)/−inf f'(T), and on all of T if inf f' ≥ 0. Where sup f' < 0, f falls strictly, and its sign at the
 /// other end decides: positive, no root; negative, exactly one.
 #[inline(always)]
-fn from_front<P: Packet>(
+pub(super) fn from_front<P: Packet>(
     field: &mut Field<'_, P>,
     t: &Interval<P::F>,
     d: &Interval<P::F>,

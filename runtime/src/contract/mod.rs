@@ -8,12 +8,17 @@
 mod auto;
 mod bisection;
 mod halley;
+mod halley_quotient;
 mod newton;
 mod tightened;
+#[cfg(feature = "unrounded")]
+#[doc(hidden)]
+pub mod unsound;
 
 pub use auto::Auto;
 pub use bisection::Bisection;
 pub use halley::{Halley, step as halley_step};
+pub use halley_quotient::{HalleyQuotient, step as halley_quotient_step};
 pub use newton::{Newton, step as newton_step};
 pub use tightened::{Tightened, slope_over as tightened_slope};
 

@@ -46,8 +46,8 @@ pub(super) struct Range<P: Packet> {
     pub over: Interval<P::F>,
     /// The rays that have one.
     pub live: P::M,
-    /// The evaluation count at which the search gives up.
-    pub limit: u64,
+    /// The number of evaluations at which a ray's search gives up.
+    pub limit: P::F,
     /// Is a sign change enough to end a ray's search?
     pub first_only: bool,
 }
@@ -136,9 +136,10 @@ pub(super) fn march<C: Contractor, P: Packet>(
         if let Some(cuts) = &mut cuts {
             cuts.push(p.to_array(at.front)[0]);
         }
-        if field.counts.packets > range.limit {
-            give_up(p, live, at.front, end, events);
-            break;
+        let spent = p.and(live, p.lt(range.limit, *field.spent));
+        if p.any(spent) {
+            give_up(p, spent, at.front, end, events);
+            live = p.and_not(live, spent);
         }
     }
     found

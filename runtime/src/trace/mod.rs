@@ -2,11 +2,14 @@
 
 mod entries;
 mod normals;
+mod range;
 mod roots;
 mod tile;
 
 pub(crate) use normals::NormalsOfTile;
-pub(crate) use roots::{AlongRay, Trail};
+pub(crate) use range::RangeAlong;
+pub(crate) use roots::AlongRay;
+pub use roots::Trail;
 pub(crate) use tile::TraceTile;
 
 use crate::interval::{Interval, Packet, Routine};
@@ -37,6 +40,8 @@ impl<S: Surface, P: Packet> Routine<P> for Bind<'_, S, P> {
 struct OnRays<'a, S: Surface, P: Packet> {
     entries: Entries<'a, S, P>,
     counts: &'a mut Evaluations,
+    /// Evaluations that each ray took so far.
+    spent: P::F,
 }
 
 /// The first root of each live ray in `over`: by closed form where there is one, by a solver otherwise.
@@ -48,6 +53,8 @@ struct FirstRoots<'b, 'f, S: Surface, P: Packet> {
     over: &'b Interval<P::F>,
     live: P::M,
     first_only: bool,
+    /// Narrow the intervals of roots in twice the precision?
+    twice: bool,
     events: &'b mut Events,
     /// Where the first ray's search went on, for those who keep account.
     cuts: Option<&'b mut Vec<f64>>,
@@ -59,16 +66,26 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
     fn find(mut self, p: P) -> Roots<P> {
         let mut roots = self.found(p);
         let width = p.sub_ru(roots.t.hi, roots.t.lo);
-        let wide = p.and(roots.hit, p.lt(p.splat(WIDE), width));
+        let goal = if self.twice {
+            p.mul_rn(roots.t.hi, p.splat(2.0 * f64::EPSILON))
+        } else {
+            p.splat(WIDE)
+        };
+        let wide = p.and(roots.hit, p.lt(goal, width));
         let bends = self.solver.bends;
         if p.any(wide) || bends && self.events.touched != 0 {
-            let OnRays { entries, counts } = self.surface;
+            let OnRays {
+                entries,
+                counts,
+                spent,
+            } = self.surface;
             let second = Second {
-                field: Field::new(p, entries, counts),
+                field: Field::new(p, entries, counts, spent),
                 lines: self.lines,
                 entry: self.entry,
                 wide: p.bits(wide),
                 bends,
+                budget: self.settings.budget,
                 events: self.events,
             };
             self.solver.sharpen(second, &mut roots.t);
@@ -111,9 +128,13 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
     /// What the solver finds for the rays of `live`.
     #[inline(always)]
     fn searched(&mut self, p: P, live: P::M) -> Roots<P> {
-        let OnRays { entries, counts } = &mut *self.surface;
+        let OnRays {
+            entries,
+            counts,
+            spent,
+        } = &mut *self.surface;
         self.solver.search(Job {
-            field: Field::new(p, entries, counts),
+            field: Field::new(p, entries, counts, spent),
             settings: self.settings,
             over: self.over,
             live,

@@ -75,8 +75,10 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
                 entries: Entries::<S, P> {
                     prepared,
                     bound: &bound,
+                    rays: &rays,
                 },
                 counts: &mut tile.counts,
+                spent: p.splat(0.0),
             };
             let job = FirstRoots::<S, P> {
                 surface: &mut surface,
@@ -86,6 +88,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
                 over: &over,
                 live,
                 first_only: true,
+                twice: settings.narrowing.twice(true),
                 events: &mut events,
                 cuts: None,
                 solver,
