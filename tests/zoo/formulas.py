@@ -1,17 +1,20 @@
 """The surfaces, once more: each by its own formula in plain Python, over any ring that x, y and z come from."""
 
+import functools
 import math
 from fractions import Fraction
 
 from flint import arb, arb_series, fmpq
 
 
+@functools.cache
 def rational(x):
     """The exact value of a float, in a ring where both fit."""
     n, d = float(x).as_integer_ratio()
     return fmpq(n, d)
 
 
+@functools.cache
 def decimal(text):
     """The number that is spelt."""
     x = Fraction(text)

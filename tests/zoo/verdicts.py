@@ -21,7 +21,7 @@ class Tally:
         self.rays = self.undecided = self.easy = self.hard_answers = self.easy_open = 0
         self.true_roots = 0
         self.counts = dict.fromkeys(KINDS, 0)
-        self.wrong, self.widths, self.examples = {}, [], []
+        self.wrong, self.widths, self.conditions, self.examples = {}, [], [], []
 
     def error(self, what, words):
         self.wrong[what] = self.wrong.get(what, 0) + 1
@@ -29,15 +29,18 @@ class Tally:
             self.examples.append(f"{what}: {' '.join(words)}")
 
     def row(self):
-        width = statistics.median(self.widths) if self.widths else 0
         errors = sum(self.wrong.values())
         c = self.counts
         return [self.name, self.rays, self.true_roots, c["root"], c["tangent"], c["crossing"], c["open"], self.undecided,
-                self.easy, self.easy_open, f"{width:.0f}", errors]
+                self.easy, self.easy_open, middle(self.widths), middle(self.conditions), errors]
+
+
+def middle(numbers):
+    return f"{statistics.median(numbers):.3g}" if numbers else ""
 
 
 HEAD = ["surface", "rays", "true roots", "root", "tangent", "crossing", "open", "oracle undecided", "easy rays",
-        "open among easy", "median ulps", "wrong"]
+        "open among easy", "median ulps", "median conditioning", "wrong"]
 
 
 def tallies(lines):
@@ -70,7 +73,10 @@ def tallies(lines):
 def report(tallies, table):
     """Prints a line or a row for each; the exit code: 1 if something is wrong, or if nothing was judged."""
     rows = [t.row() for t in tallies]
-    rows.append(["all"] + [sum(r[k] for r in rows) for k in range(1, 10)] + ["", sum(r[11] for r in rows)])
+    widths = [w for t in tallies for w in t.widths]
+    conditions = [c for t in tallies for c in t.conditions]
+    sums = [sum(r[k] for r in rows) for k in range(1, 10)]
+    rows.append(["all", *sums, middle(widths), middle(conditions), sum(r[12] for r in rows)])
     if table:
         print("| " + " | ".join(HEAD) + " |\n|" + "---|" * len(HEAD))
     for row in rows:
@@ -134,6 +140,7 @@ def claim(tally, words, event, known, box):
             tally.error(f"a root that is {len(held)} roots", words)
         else:
             tally.widths.append(ulps(lo, hi))
+            tally.conditions.append(conditioning(held[0], hi, known.scale))
     if kind == "crossing":
         if sum(r.multiplicity for r in held) % 2 == 0:
             tally.error("a crossing without a change of sign", words)
@@ -152,6 +159,12 @@ def claim(tally, words, event, known, box):
 def ulps(lo, hi):
     scale = float(max(abs(lo), abs(hi))) or 1.0
     return float(hi - lo) / math.ulp(scale)
+
+
+def conditioning(root, t, scale):
+    """How many ulps of t the root moves if f is off by half an ulp of its scale: what f64 can tell at best."""
+    slope = float(root.slope.mid())
+    return scale * 2.0**-53 / (slope * math.ulp(float(t) or 1.0)) if slope else math.inf
 
 
 def ease(tally, events, known, inside, box):

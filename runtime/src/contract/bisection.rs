@@ -18,8 +18,17 @@ impl<E: Enclosure> Contractor for Bisection<E> {
     const NAME: &'static str = "bisection";
     const ORDER: u8 = 0;
 
+    type Memory<P: Packet> = ();
+
+    fn memory<P: Packet>(_: P) {}
+
     #[inline(always)]
-    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
+    fn contract<P: Packet>(
+        field: &mut Field<'_, P>,
+        t: &Interval<P::F>,
+        live: P::M,
+        (): &mut (),
+    ) -> Pieces<P> {
         let p = field.p;
         let f = E::enclose(field, t, live);
         let mut pieces = Pieces::all(p, t);

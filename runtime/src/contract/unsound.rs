@@ -1,6 +1,7 @@
 //! Weakened rules, for negative controls alone: each leaves out one condition of a proof, and an oracle must notice.
 
-use super::{Auto, Contractor, Pieces, auto, sealed::Sealed};
+use super::auto::{self, Memory};
+use super::{Auto, Contractor, Pieces, sealed::Sealed};
 use crate::interval::{Interval, Packet};
 use crate::solve::{Field, differentiable, excluded, nonzero};
 
@@ -14,8 +15,19 @@ impl Contractor for Anywhere {
     const NAME: &'static str = "unsound: derivatives anywhere";
     const ORDER: u8 = 2;
 
+    type Memory<P: Packet> = Memory<P>;
+
+    fn memory<P: Packet>(p: P) -> Memory<P> {
+        Memory::new(p)
+    }
+
     #[inline(always)]
-    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
+    fn contract<P: Packet>(
+        field: &mut Field<'_, P>,
+        t: &Interval<P::F>,
+        live: P::M,
+        memory: &mut Memory<P>,
+    ) -> Pieces<P> {
         let p = field.p;
         let mut pieces = Pieces::all(p, t);
         let f = field.value(t, live);
@@ -23,7 +35,7 @@ impl Contractor for Anywhere {
         let rest = p.and_not(live, pieces.none);
         if p.any(rest) {
             let f = field.slope(t, rest);
-            auto::from_front(field, t, &f.d[1], rest, &mut pieces);
+            auto::from_front(field, t, &f.d[1], rest, memory, &mut pieces);
             pieces.halve_slow(p, t, rest);
         }
         pieces
@@ -40,10 +52,21 @@ impl Contractor for Signless {
     const NAME: &'static str = "unsound: existence without signs";
     const ORDER: u8 = 2;
 
+    type Memory<P: Packet> = Memory<P>;
+
+    fn memory<P: Packet>(p: P) -> Memory<P> {
+        Memory::new(p)
+    }
+
     #[inline(always)]
-    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
+    fn contract<P: Packet>(
+        field: &mut Field<'_, P>,
+        t: &Interval<P::F>,
+        live: P::M,
+        memory: &mut Memory<P>,
+    ) -> Pieces<P> {
         let p = field.p;
-        let mut pieces = Auto::contract(field, t, live);
+        let mut pieces = Auto::contract(field, t, live, memory);
         let rest = p.and_not(p.and_not(live, pieces.none), pieces.one);
         if p.any(rest) {
             let f = field.slope(&pieces.first, rest);

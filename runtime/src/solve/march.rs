@@ -79,6 +79,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
     let shortest = p.mul_rn(end, p.splat(1.0 / (1u64 << 48) as f64));
     let mut live = range.live;
     let mut found = Brackets::none(p);
+    let mut memory = C::memory(p);
     let mut at = Front::<P> {
         front: range.over.lo,
         back: end,
@@ -92,7 +93,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
             lo: at.front,
             hi: at.back,
         };
-        let pieces = C::contract(field, &t, live);
+        let pieces = C::contract(field, &t, live, &mut memory);
         let none = p.and(pieces.none, live);
         let one = p.and(p.and_not(pieces.one, none), live);
         if p.any(one) {
