@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from flint import acb, acb_poly, arb, arb_series, fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, arb_series, ctx, fmpq, fmpq_poly
 
 # A piece that is still undecided after so many halvings of the segment is left undecided.
 DEPTH = 70
@@ -93,7 +93,8 @@ def exact(shape, start, direction):
 def critical(slope):
     """The zeros of f': for the scale of a ray alone, so that balls of coefficients do, unless zeros coincide."""
     try:
-        return acb_poly([acb(arb(c)) for c in slope.coeffs()]).roots(tol=1e-12, maxprec=400)
+        with ctx.workprec(64):
+            return acb_poly([acb(arb(c)) for c in slope.coeffs()]).roots(tol=1e-8, maxprec=400)
     except ValueError:
         return [at for at, _ in slope.complex_roots()]
 

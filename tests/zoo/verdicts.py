@@ -18,15 +18,28 @@ KINDS = ("root", "tangent", "crossing", "open")
 class Tally:
     def __init__(self, name):
         self.name = name
-        self.rays = self.undecided = self.easy = self.hard_answers = self.easy_open = 0
+        self.rays = self.undecided = self.easy = self.easy_open = 0
         self.true_roots = 0
         self.counts = dict.fromkeys(KINDS, 0)
         self.wrong, self.widths, self.conditions, self.examples = {}, [], [], []
 
     def error(self, what, words):
         self.wrong[what] = self.wrong.get(what, 0) + 1
+        self.note(f"wrong, {what}", words)
+
+    def note(self, what, words):
         if len(self.examples) < 5:
             self.examples.append(f"{what}: {' '.join(words)}")
+
+    def join(self, other):
+        for count in ("rays", "undecided", "easy", "easy_open", "true_roots"):
+            setattr(self, count, getattr(self, count) + getattr(other, count))
+        for one, more in ((self.counts, other.counts), (self.wrong, other.wrong)):
+            for key, count in more.items():
+                one[key] = one.get(key, 0) + count
+        self.widths += other.widths
+        self.conditions += other.conditions
+        self.examples = (self.examples + other.examples)[:5]
 
     def row(self):
         errors = sum(self.wrong.values())
@@ -84,7 +97,7 @@ def report(tallies, table):
         print("| " + " | ".join(words) + " |" if table else ", ".join(f"{h} {w}" for h, w in zip(HEAD, words)))
     for tally in tallies:
         for example in tally.examples:
-            print(f"wrong, {tally.name}: {example}")
+            print(f"{tally.name}: {example}")
     return 1 if not tallies or any(t.wrong for t in tallies) else 0
 
 
@@ -115,7 +128,7 @@ def check(tally, words, events):
     if known.undecided:
         tally.undecided += 1
     elif not known.identical:
-        ease(tally, events, known, inside, box)
+        ease(tally, words, events, known, inside, box)
 
 
 def cover(tally, words, events, known, inside, near, far):
@@ -167,7 +180,7 @@ def conditioning(root, t, scale):
     return scale * 2.0**-53 / (slope * math.ulp(float(t) or 1.0)) if slope else math.inf
 
 
-def ease(tally, events, known, inside, box):
+def ease(tally, words, events, known, inside, box):
     """An easy ray has only simple roots, steep and apart; and nowhere comes f so near to 0 without a root as it would
     between two roots that are not steep."""
     width = float(box)
@@ -182,3 +195,4 @@ def ease(tally, events, known, inside, box):
     tally.easy += 1
     if any(kind in ("open", "tangent") for kind, *_ in events):
         tally.easy_open += 1
+        tally.note("open, and easy", words)

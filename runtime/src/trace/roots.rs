@@ -9,7 +9,7 @@ use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Lines, Rays, clip};
 use crate::solve::{Evaluations, Events, Settings};
 use crate::surface::Surface;
-use crate::verdict::Verdict;
+use crate::verdict::{Verdict, Why};
 
 /// What is known about one ray and one surface.
 #[derive(Clone, Debug, Default)]
@@ -107,7 +107,17 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             };
             Verdict::Root { t }.append(&mut trail.events);
             over.lo = roots.resume;
-            if self.first_only || p.bits(p.lt(over.lo, over.hi)) & 1 == 0 {
+            let rest = Interval {
+                lo: p.to_array(over.lo)[0],
+                hi: p.to_array(over.hi)[0],
+            };
+            if self.first_only || rest.lo >= rest.hi {
+                break;
+            }
+            // What is kept back finishes one search, not the next.
+            if p.to_array(surface.spent)[0] > self.settings.limit() {
+                let why = Why::Budget;
+                Verdict::Unresolved { t: rest, why }.append(&mut trail.events);
                 break;
             }
         }

@@ -57,9 +57,7 @@ impl Expected {
             (Expected::Near(why, at), Verdict::Unresolved { why: w, .. }) => {
                 why == w && around(*at, 1e-6)
             }
-            (Expected::Or(one, other), _) => {
-                one.is_met(entry, event) || other.is_met(entry, event)
-            }
+            (Expected::Or(one, other), _) => one.is_met(entry, event) || other.is_met(entry, event),
             (Expected::Maybe(some), _) => some.is_met(entry, event),
             _ => false,
         }
@@ -72,7 +70,10 @@ pub(crate) fn complaint(expected: &[Expected], trail: &Trail) -> Option<String> 
     for one in expected {
         let met = events.next_if(|event| one.is_met(trail.entry, event));
         if met.is_none() && !matches!(one, Expected::Maybe(_)) {
-            return Some(format!("no {one:?} in {:?} from {}", trail.events, trail.entry));
+            return Some(format!(
+                "no {one:?} in {:?} from {}",
+                trail.events, trail.entry
+            ));
         }
     }
     let more = events.next()?;

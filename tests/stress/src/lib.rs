@@ -10,6 +10,7 @@ use zeroset::camera::Ray;
 use zeroset::glam::DVec3;
 use zeroset::interval::Isa;
 use zeroset::render::{Trail, trails};
+use zeroset::solve::Settings;
 use zeroset::{Options, Scene, Surface};
 
 /// A formula along a ray, and the events that must come of it.
@@ -22,7 +23,7 @@ pub struct Case {
     pub ray: [[f64; 3]; 2],
     /// All events, in ascending order.
     pub expected: Vec<Expected>,
-    run: Box<dyn Fn(&Ray, Isa) -> Trail>,
+    run: Box<dyn Fn(&Ray, Isa, Settings) -> Trail>,
 }
 
 impl Case {
@@ -41,9 +42,10 @@ impl Case {
             formula: formula.split_whitespace().collect::<Vec<_>>().join(" "),
             ray,
             expected,
-            run: Box::new(move |ray, isa| {
+            run: Box::new(move |ray, isa, settings| {
                 let mut options = Options::new(1, 1);
                 options.isa = Some(isa);
+                options.settings = settings;
                 let found = trails(&scene, ray, &options);
                 let only = found.ok().and_then(|list| list.into_iter().next());
                 only.unwrap_or_default()
@@ -53,12 +55,17 @@ impl Case {
 
     /// All events of the ray, and what they took.
     pub fn run(&self, isa: Isa) -> Trail {
+        self.run_within(isa, Settings::default())
+    }
+
+    /// The same with other settings.
+    pub fn run_within(&self, isa: Isa, settings: Settings) -> Trail {
         let [o, d] = self.ray.map(DVec3::from_array);
         let ray = Ray {
             origin: o,
             direction: d,
         };
-        (self.run)(&ray, isa)
+        (self.run)(&ray, isa, settings)
     }
 
     /// Why an answer is not the expected one, if it is not.

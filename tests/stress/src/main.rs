@@ -31,11 +31,19 @@ fn main() -> ExitCode {
             expected.join(", ")
         };
         let formula = case.formula.replace('|', "\\|");
-        println!("| {} | `{formula}` | {verdict} | {} |", case.what, trail.evaluations.total());
+        println!(
+            "| {} | `{formula}` | {verdict} | {} |",
+            case.what,
+            trail.evaluations.total()
+        );
         if let Some(complaint) = case.complaint(&trail) {
             eprintln!("wrong, {}: {complaint}", case.what);
             wrong += 1;
         }
     }
-    if wrong == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    if wrong == 0 {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
 }

@@ -3,7 +3,8 @@
 #![forbid(unsafe_code)]
 
 use zeroset::interval::{Interval, Isa};
-use zeroset::verdict::Verdict;
+use zeroset::solve::Settings;
+use zeroset::verdict::{Verdict, Why};
 use zeroset_stress::cases::cases;
 
 #[test]
@@ -23,6 +24,44 @@ fn every_case_gets_its_verdict_within_the_budget() {
         }
     }
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+/// Whatever the budget: it is kept, and what was not searched is open to the end of the ray.
+#[test]
+fn budgets_are_kept() {
+    let isa = Isa::available()[0];
+    let mut given_up = 0;
+    for budget in [1_000, 1_500, 2_500, 10_000] {
+        let settings = Settings {
+            budget,
+            ..Settings::default()
+        };
+        for case in cases() {
+            let trail = case.run_within(isa, settings);
+            let spent = trail.evaluations.total();
+            assert!(
+                spent <= u64::from(budget),
+                "{}: {spent} of {budget}",
+                case.what
+            );
+            let is_rest = |event: &Verdict| {
+                matches!(
+                    event,
+                    Verdict::Unresolved {
+                        why: Why::Budget,
+                        ..
+                    }
+                )
+            };
+            if let Some(at) = trail.events.iter().position(is_rest) {
+                given_up += 1;
+                assert_eq!(at, trail.events.len() - 1, "{}", case.what);
+                let t = trail.events[at].t();
+                assert_eq!(t.map(|t| t.hi), trail.end, "{}", case.what);
+            }
+        }
+    }
+    assert!(given_up > 4, "only {given_up} rays were given up");
 }
 
 /// The control: answers that say less, more or something else are noticed.
