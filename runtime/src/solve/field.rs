@@ -53,7 +53,9 @@ pub struct Evaluations {
     pub gradient: u64,
     /// Rays decided by the discriminant of a quadric, without a search.
     pub closed: u64,
-    /// Evaluations of all kinds, each counted once per packet of eight.
+    /// Enclosures over beams, each counted once per packet of eight.
+    pub beams: u64,
+    /// Evaluations of all other kinds, each counted once per packet of eight.
     pub packets: u64,
 }
 
@@ -78,6 +80,7 @@ impl Evaluations {
         self.fine += other.fine;
         self.gradient += other.gradient;
         self.closed += other.closed;
+        self.beams += other.beams;
         self.packets += other.packets;
     }
 }

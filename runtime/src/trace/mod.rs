@@ -1,11 +1,14 @@
 //! A surface's kernels: what a scene runs per tile, and what a program runs for one ray.
 
+mod beams;
 mod entries;
 mod normals;
+mod plan;
 mod range;
 mod roots;
 mod tile;
 
+pub(crate) use beams::{AssembleLeaves, Leaves, SurveyGrid, WithBeams};
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use range::RangeAlong;
 pub(crate) use roots::AlongRay;
@@ -15,7 +18,7 @@ pub(crate) use tile::TraceTile;
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};
 use crate::solve::{
-    Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form, select,
+    Brackets, Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form, select,
 };
 use crate::surface::{Active, Surface};
 use entries::Entries;
@@ -52,6 +55,10 @@ struct FirstRoots<'b, 'f, S: Surface, P: Packet> {
     entry: P::F,
     over: &'b Interval<P::F>,
     live: P::M,
+    /// How long the first steps are.
+    first: P::F,
+    /// Rays with exactly one root, of which it is known where: they are not searched.
+    known: Option<&'b Brackets<P>>,
     first_only: bool,
     /// Narrow the intervals of roots in twice the precision?
     twice: bool,
@@ -109,7 +116,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
             let decided = p.and(live, first.decided);
             self.surface.counts.closed += u64::from(p.bits(decided).count_ones());
             live = p.and_not(live, decided);
-            if !p.any(live) {
+            if !p.any(live) && self.known.is_none() {
                 return roots;
             }
             closed = Some(roots);
@@ -138,6 +145,8 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
             settings: self.settings,
             over: self.over,
             live,
+            first: self.first,
+            known: self.known,
             first_only: self.first_only,
             events: self.events,
             cuts: self.cuts.as_deref_mut(),
