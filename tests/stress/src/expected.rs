@@ -14,11 +14,15 @@ pub enum Expected {
     Tangent(f64),
     /// A change of sign, no wider than 1e-12.
     Crossing(f64),
-    /// Undecided from here to there.
+    /// Undecided from about here to about there.
     Open(Why, f64, f64),
     /// Undecided around here, no wider than 1e-6.
     Near(Why, f64),
-    /// A tangency, or two roots beside each other, or none: what is true is finer than the question.
+    /// A root or a change of sign, in an interval that may be this wide: what f64 can tell of f is not more.
+    Hit(f64, f64),
+    /// Any number of events that are no roots, each undecided or a change of sign.
+    Noise,
+    /// What is true is finer than some processor path can tell.
     Or(Box<Expected>, Box<Expected>),
     /// This, or nothing.
     Maybe(Box<Expected>),
@@ -51,7 +55,7 @@ impl Expected {
             (Expected::Tangent(at), Verdict::Tangent { .. }) => around(*at, 1e-6),
             (Expected::Crossing(at), Verdict::Crossing { .. }) => around(*at, 1e-12),
             (Expected::Open(why, from, to), Verdict::Unresolved { why: w, .. }) => {
-                let near = |a: f64, b: f64| (a - b).abs() <= 1e-3 * (to - from);
+                let near = |a: f64, b: f64| (a - b).abs() <= 0.1 * (to - from);
                 why == w && near(lo, *from) && near(hi, *to)
             }
             (Expected::Near(why, at), Verdict::Unresolved { why: w, .. }) => {
@@ -68,8 +72,10 @@ impl Expected {
 pub(crate) fn complaint(expected: &[Expected], trail: &Trail) -> Option<String> {
     let mut events = trail.events.iter().peekable();
     for one in expected {
-        let met = events.next_if(|event| one.is_met(trail.entry, event));
-        if met.is_none() && !matches!(one, Expected::Maybe(_)) {
+        let mut meet = || events.next_if(|event| one.is_met(trail.entry, event));
+        let met = meet().is_some();
+        while matches!(one, Expected::Noise) && meet().is_some() {}
+        if !met && !matches!(one, Expected::Maybe(_) | Expected::Noise) {
             return Some(format!(
                 "no {one:?} in {:?} from {}",
                 trail.events, trail.entry
@@ -88,6 +94,10 @@ impl fmt::Display for Expected {
             Expected::Crossing(at) => write!(f, "Crossing {at:.6}"),
             Expected::Open(why, from, to) => write!(f, "Unresolved ({why:?}) {from:.6} to {to:.6}"),
             Expected::Near(why, at) => write!(f, "Unresolved ({why:?}) {at:.6}"),
+            Expected::Hit(at, width) => {
+                write!(f, "Root or Crossing {at:.6}, at most {width:.0e} wide")
+            }
+            Expected::Noise => write!(f, "[Unresolved, Crossing, …]"),
             Expected::Or(one, other) => write!(f, "{one} or {other}"),
             Expected::Maybe(some) => write!(f, "[{some}]"),
         }
