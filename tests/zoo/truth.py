@@ -143,15 +143,13 @@ def enclosed(shape, start, direction, lo, hi):
     margin = (hi - lo) / 10**9
     stack = [(ball(lo - margin).mid(), ball(hi + margin).mid(), DEPTH)]
     least = float("inf")
-    scale = 0.0
+    places = [between(ball(lo), ball(hi), k / 16) for k in range(17)]
+    scale = max(min(float(abs(f).upper()), 1e300) for f in (curve.jet(t)[0] for t in places) if f.is_finite())
     steps = 0
     while stack:
         a, b, depth = stack.pop()
         steps += 1
         f, slope, bend = curve.over(a, b)
-        if depth == DEPTH or steps < 16:
-            top = abs(f).upper()
-            scale = max(scale, min(float(top), 1e300)) if top.is_finite() else scale
         if sign(f):
             if steps < 200 and not sign(slope):
                 least = min(least, float(abs(f).lower()))
