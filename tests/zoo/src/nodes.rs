@@ -65,14 +65,17 @@ enum Look {
 
 fn look<S: Surface>(prepared: &S::Prepared, cell: Cell) -> Look {
     let a = Scalar;
-    if S::gradient(a, prepared, cell)
-        .d
-        .iter()
-        .any(|d| !d.contains(0.0))
-    {
+    let [f, slope @ ..] = S::gradient(a, prepared, cell).d;
+    let has_zero = |x: &Interval| x.contains(0.0);
+    if !has_zero(&f) || !slope.iter().all(has_zero) {
         return Look::Free;
     }
     let centre = cell.map(|x| point(x.mid()));
+    let away = [0, 1, 2].map(|k| a.sub(cell[k], centre[k]));
+    let at_centre = S::gradient(a, prepared, centre).d[0];
+    if !has_zero(&a.add(at_centre, dot(&slope, &away))) {
+        return Look::Free;
+    }
     let at = S::hessian(a, prepared, centre).d;
     // Over a little more than the cell: a zero on a face lies inside then.
     let around = cell.map(|x| {
@@ -84,12 +87,11 @@ fn look<S: Surface>(prepared: &S::Prepared, cell: Cell) -> Look {
     });
     let over = S::hessian(a, prepared, around).d;
     let away = [0, 1, 2].map(|k| a.sub(around[k], centre[k]));
-    // The mean value forms of f and its gradient.
-    let f = a.add(at[0], dot(&[over[1], over[2], over[3]], &away));
+    // The mean value form of the gradient.
     let h = square(&over);
     let gradient = [at[1], at[2], at[3]];
     let slopes = [0, 1, 2].map(|k| a.add(gradient[k], dot(&h[k], &away)));
-    if !f.contains(0.0) || slopes.iter().any(|s| !s.contains(0.0)) {
+    if !slopes.iter().all(has_zero) {
         return Look::Free;
     }
     let Some(y) = inverse(&square(&at).map(|row| row.map(|x| x.mid()))) else {
