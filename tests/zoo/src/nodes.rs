@@ -20,6 +20,8 @@ pub struct Found {
 
 /// Cells this small are not divided further.
 const SMALLEST: f64 = 1e-6;
+/// More than rounding leaves of a critical point's place.
+const CLOSE: f64 = 1e-11;
 
 /// Divides the cube of this half width until each cell is excluded (f or a component of its gradient has no zero there)
 /// or holds exactly one critical point; this is then enclosed as narrowly as `f64` can, and kept if f may be 0 there.
@@ -38,8 +40,12 @@ pub fn nodes<S: Surface>(surface: &S, half: f64) -> Found {
             Look::Free => {}
             Look::One(point) => keep::<S>(&prepared, point, &mut found),
             Look::Less(rest) => {
-                let (axis, widest) = widest(&rest);
-                if widest < SMALLEST {
+                let ((_, before), (axis, widest)) = (widest(&cell), widest(&rest));
+                if widest < 0.5 * before {
+                    stack.push(rest);
+                    continue;
+                }
+                if before < SMALLEST {
                     found.open += 1;
                     continue;
                 }
@@ -79,7 +85,7 @@ fn look<S: Surface>(prepared: &S::Prepared, cell: Cell) -> Look {
     let at = S::hessian(a, prepared, centre).d;
     // Over a little more than the cell: a zero on a face lies inside then.
     let around = cell.map(|x| {
-        let more = 0.05 * x.width();
+        let more = 0.05 * x.width() + CLOSE;
         Interval {
             lo: x.lo - more,
             hi: x.hi + more,
