@@ -30,10 +30,9 @@ fn main() -> ExitCode {
         } else {
             expected.join(", ")
         };
-        let formula = case.formula.replace('|', "\\|");
+        let [what, formula] = [case.what, &case.formula].map(|text| text.replace('|', "\\|"));
         println!(
-            "| {} | `{formula}` | {verdict} | {} |",
-            case.what,
+            "| {what} | `{formula}` | {verdict} | {} |",
             trail.evaluations.total()
         );
         if let Some(complaint) = case.complaint(&trail) {
