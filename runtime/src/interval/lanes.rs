@@ -1,5 +1,6 @@
 //! Vectors of `f64` with directed rounding: the primitives that a back-end provides.
 
+use super::Rounding;
 use super::sealed::Sealed;
 
 /// A token for one instruction set. Holding one proves that the processor has it, so every method is safe.
@@ -17,6 +18,8 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     type F: Copy + Send + Sync + 'static;
     /// One bit per lane, in whatever form the processor likes.
     type M: Copy + Send + Sync + 'static;
+    /// Do bounds hold, or what is wrong with them? Wrong ones are negative controls.
+    type Rounding: Rounding;
 
     /// How many lanes a vector has: 8 in packets, 1 in scalars.
     const LANES: usize;
@@ -24,8 +27,6 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     const FUSED: bool;
     /// The name that `ZEROSET_ISA` and reports use.
     const NAME: &'static str;
-    /// False in the back-ends that exist for negative controls: their bounds are rounded to nearest.
-    const DIRECTED: bool;
     /// Are directed results the optimal ones, so that they have the sign of the exact result (or are 0)? Where they are
     /// not, an exact 0 may be widened to the smallest subnormal.
     const OPTIMAL: bool;

@@ -52,8 +52,8 @@ pub fn width(name: &str, backend: &str) -> u64 {
         "log2" | "log10" => 11,
         "cosh" if optimal => 3,
         "cosh" => 5,
-        "hypot" if optimal => 8,
-        "hypot" => 12,
+        "hypot" if optimal => 4,
+        "hypot" => 10,
         _ => 12,
     }
 }
