@@ -119,9 +119,11 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// (m, e) with x = m·2ᵉ exactly, e a whole number and m ∈ [⅔, 4⁄3) to a unit in the last place, for a positive normal
     /// x; anything else gives garbage.
     fn decompose(self, x: Self::F) -> (Self::F, Self::F);
-    /// The number before a positive normal one; the same number where rounding is off.
+    /// The number before a positive normal one; the same number where rounding is off. In packets, also the one nearer to 0
+    /// than a negative one, and a NaN of 0.
     fn before(self, a: Self::F) -> Self::F;
-    /// The number after a positive normal one, +∞ after MAX; the same number where rounding is off.
+    /// The number after a positive normal one, +∞ after MAX; the same number where rounding is off. In packets, also the one
+    /// farther from 0 than a negative one.
     fn after(self, a: Self::F) -> Self::F;
     /// `a`, and 0 where it is NaN: 0·∞ stands for the product of 0 and numbers without bound, which is 0.
     #[inline(always)]
