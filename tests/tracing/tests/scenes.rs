@@ -198,10 +198,10 @@ fn beams_change_no_verdict() {
             assert_eq!((without.made, without.evaluations.beams), (without.rays, 0));
             assert!(with.evaluations.beams > 0);
             spared += with.rays - with.made;
-            single += u64::from(with.evaluations.value == 0);
+            single += with.evaluations.single;
         }
-        println!("{isa}: {hits} hits, {spared} rays spared, {single} pictures without a search");
-        assert!(hits > 10_000 && spared > 10_000 && single > 0);
+        println!("{isa}: {hits} hits, {spared} rays spared, {single} rays not searched");
+        assert!(hits > 10_000 && spared > 10_000 && single > 10_000);
     }
 }
 
@@ -290,9 +290,10 @@ fn all_roots_of_a_ball() {
         options.settings.closed_forms = closed_forms;
         let lists = all_roots(&Scene::new().with(ball(1.0)), &ray, &options).unwrap();
         let (entry, events) = &lists[0];
-        assert_eq!(*entry, 0.5);
+        // Rounded down, by at most a few units in the last place.
+        assert!(*entry <= 0.5 && *entry > 0.5 - 1e-15, "{entry}");
         // t is in units of the direction as given, from the entry.
-        let expected = [0.5, 1.5];
+        let expected = [1.0 - entry, 2.0 - entry];
         assert_eq!(events.len(), 2, "{events:?}");
         for (event, x) in events.iter().zip(expected) {
             assert!(
