@@ -13,6 +13,9 @@ use zeroset::render::{Trail, trails};
 use zeroset::solve::Settings;
 use zeroset::{Options, Scene, Surface};
 
+/// Traces a surface along a ray.
+type Run = dyn Fn(&Ray, Isa, Settings) -> Trail;
+
 /// A formula along a ray, and the events that must come of it.
 pub struct Case {
     /// What is hard about it.
@@ -23,7 +26,7 @@ pub struct Case {
     pub ray: [[f64; 3]; 2],
     /// All events, in ascending order.
     pub expected: Vec<Expected>,
-    run: Box<dyn Fn(&Ray, Isa, Settings) -> Trail>,
+    run: Box<Run>,
 }
 
 impl Case {

@@ -86,7 +86,9 @@ fn a_pole() {
 
 #[test]
 fn a_step() {
-    hold(&Step, |[x, y, _]| Some(if x > 0.0 { 1.0 + y } else { y - 1.0 }));
+    hold(&Step, |[x, y, _]| {
+        Some(if x > 0.0 { 1.0 + y } else { y - 1.0 })
+    });
 }
 
 /// On narrow segments the forms of second order win, by the square of the width.
