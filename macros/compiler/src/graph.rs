@@ -144,7 +144,7 @@ pub enum Over {
 }
 
 /// The graph.
-#[derive(Default, Debug)]
+#[derive(Clone, Default, Debug)]
 pub struct Graph {
     ops: Vec<Op>,
     info: Vec<Info>,
@@ -203,8 +203,14 @@ impl Graph {
             return id;
         }
         let info = info(self);
+        let id = self.push(op.clone(), info);
+        self.known.insert(op, id);
+        id
+    }
+
+    /// A new node, shared with nothing.
+    pub(crate) fn push(&mut self, op: Op, info: Info) -> Id {
         let id = Id(self.ops.len() as u32);
-        self.known.insert(op.clone(), id);
         self.ops.push(op);
         self.info.push(info);
         id

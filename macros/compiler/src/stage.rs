@@ -4,6 +4,7 @@
 //! (its degree is 0). Each maximal subexpression of degree 1 or 2 becomes a leaf of the ray stage. The rest, rebuilt on
 //! the leaves, is the segment stage.
 
+use crate::form::Form;
 use crate::graph::{Graph, Id, Info, Op, Sign, operands};
 use std::collections::HashMap;
 
@@ -19,6 +20,7 @@ pub struct Leaf {
 /// The segment stage of a formula.
 #[derive(Debug, Default)]
 pub struct Staged {
+    form: Form,
     /// The leaves of the ray stage.
     pub leaves: Vec<Leaf>,
     /// f, df/dt, d²f/dt² in terms of leaves and surface values.
@@ -28,14 +30,26 @@ pub struct Staged {
 impl Staged {
     /// Splits the formula `root` and differentiates it along the ray.
     pub fn new(graph: &mut Graph, root: Id) -> Staged {
-        let mut staged = Staged::default();
+        Staged::in_form(graph, root, Form::Staged)
+    }
+
+    /// The same in another form: if it is not staged, the coordinates are the only leaves.
+    pub fn in_form(graph: &mut Graph, root: Id, form: Form) -> Staged {
+        let mut staged = Staged {
+            form,
+            ..Staged::default()
+        };
         let value = staged.rebuild(graph, root, &mut HashMap::new());
         let leaves = staged.leaves.clone();
         let leaf = |graph: &mut Graph, k: usize, order: u8| leaf_node(graph, &leaves, k, order);
         let mut memo = HashMap::new();
         let slope = graph.along(value, &mut memo, &leaf);
         let curvature = graph.along(slope, &mut memo, &leaf);
-        staged.jet = [Some(value), Some(slope), Some(curvature)];
+        let mut jet = [value, slope, curvature];
+        if form == Form::Naive {
+            jet = jet.map(|id| graph.unshared(id));
+        }
+        staged.jet = jet.map(Some);
         staged
     }
 
@@ -46,7 +60,7 @@ impl Staged {
         }
         let new = match graph.info(id).degree {
             Some(0) => id,
-            Some(degree @ 1..=2) => {
+            Some(degree @ 1..=2) if self.is_leaf(graph, id) => {
                 let k = self.leaves.len();
                 self.leaves.push(Leaf {
                     node: id,
@@ -58,6 +72,10 @@ impl Staged {
         };
         memo.insert(id, new);
         new
+    }
+
+    fn is_leaf(&self, graph: &Graph, id: Id) -> bool {
+        self.form == Form::Staged || matches!(graph.op(id), Op::Coordinate(_))
     }
 
     fn rebuild_operation(&mut self, graph: &mut Graph, id: Id, memo: &mut HashMap<Id, Id>) -> Id {

@@ -2,7 +2,7 @@
 
 use zeroset::interval::{Arithmetic, Flags, Interval, Jet, Linear, Packet, Parameter};
 use zeroset::ray::Rays;
-use zeroset::surface::{Active, Continuity, ParameterError, Report, Surface};
+use zeroset::surface::{Active, Continuity, Operations, ParameterError, Report, Surface};
 
 /// A value with its first two derivatives along a line.
 #[derive(Clone, Copy)]
@@ -204,8 +204,10 @@ impl<F: Formula> Surface for Hand<F> {
         total: false,
         functions: &[],
         leaves: 3,
-        segment_operations: [0; 3],
-        space_operations: [0; 2],
+        surface_operations: 0,
+        ray_operations: 0,
+        segment: [Operations::NONE; 3],
+        space: [Operations::NONE; 3],
     };
     type Prepared = F;
     type Bound<P: Packet> = [Linear<P>; 3];

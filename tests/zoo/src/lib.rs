@@ -6,11 +6,13 @@
 
 #![forbid(unsafe_code)]
 
+pub mod list;
 pub mod surfaces;
 pub mod text;
 
 use text::Answered;
 use zeroset::camera::Ray;
+use zeroset::implicit;
 use zeroset::render::all_roots;
 use zeroset::{Options, Scene, Surface};
 

@@ -3,6 +3,7 @@
 use super::block::Target;
 use super::layout::Layout;
 use super::text::{count, flags, index, interval, number, variable};
+use crate::form::Form;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Over, Scope, Sign, Undecided};
 use crate::tree::FoldKind;
@@ -30,8 +31,6 @@ pub struct Enclosure<'a> {
     pub stage: Stage,
     /// Names of the fields; for tables in the surface stage.
     pub fields: &'a [Ident],
-    /// Interval operations emitted so far.
-    pub operations: u32,
 }
 
 /// A variable, and the flags that its value may carry.
@@ -50,8 +49,7 @@ impl Target for Enclosure<'_> {
     type Value = Value;
 
     fn ready(&self, id: Id) -> bool {
-        self.stage != Stage::Surface && !self.graph.varies(id)
-            || matches!(self.graph.op(id), Op::Leaf(..))
+        self.is_prepared(id) || matches!(self.graph.op(id), Op::Leaf(..))
     }
 
     fn given(&mut self, id: Id, out: &mut TokenStream) -> Option<Value> {
@@ -63,12 +61,11 @@ impl Target for Enclosure<'_> {
             }
             Op::Leaf(leaf, order) => {
                 let (place, quadratic) = self.layout.leaf(*leaf)?;
-                self.operations += 1;
-                leaf_value(&place, quadratic, *order)
+                leaf_value(&self.place(place), quadratic, *order)
             }
-            _ if self.stage != Stage::Surface && !self.graph.varies(id) => {
-                let place = self.layout.value(id)?;
-                quote!(a.constant(&#place))
+            _ if self.is_prepared(id) => {
+                let place = self.place(self.layout.value(id)?);
+                quote!(a.constant(#place))
             }
             Op::Pi => quote!(a.constant(&__zeroset::PI)),
             Op::Field(field, indices) => {
@@ -99,7 +96,6 @@ impl Target for Enclosure<'_> {
     }
 
     fn operation(&mut self, id: Id, values: Values, out: &mut TokenStream) -> Value {
-        self.operations += 1;
         let op = self.graph.op(id).clone();
         let name = variable(id);
         let own = flags(id);
@@ -135,7 +131,6 @@ impl Target for Enclosure<'_> {
         let name = variable(id);
         let names: Vec<&Ident> = args.iter().map(|v| &v.name).collect();
         let (mut declare, mut update) = accumulator(&name, fold.0, fold.1, &names);
-        self.operations += 1 << (args.len() - 1).min(2);
         let choosing = matches!(fold.0, FoldKind::Minimum | FoldKind::Maximum) && args.len() > 1;
         let any = choosing || args.iter().any(|v| v.flags.is_some());
         let flags = any.then(|| flags(id));
@@ -169,6 +164,19 @@ struct Expression {
 }
 
 impl Enclosure<'_> {
+    /// Was the node computed by the surface stage?
+    fn is_prepared(&self, id: Id) -> bool {
+        self.stage != Stage::Surface && self.layout.form.ready(self.graph, id)
+    }
+
+    /// A reference to a stored value. In the naive form each use loads it again, lest rustc shares what the form does not.
+    fn place(&self, place: TokenStream) -> TokenStream {
+        match self.layout.form {
+            Form::Naive => quote!(__zeroset::apart(&#place)),
+            _ => quote!(&#place),
+        }
+    }
+
     fn expression(&self, op: &Op, values: Values) -> Expression {
         let v = |id: &Id| values(*id).map_or_else(|| quote!(()), |v| v.name.to_token_stream());
         let plain = |code| Expression {
@@ -317,7 +325,7 @@ fn leaf_value(place: &TokenStream, quadratic: bool, order: u8) -> TokenStream {
         1 => format_ident!("{kind}_slope"),
         _ => format_ident!("{kind}_curvature"),
     };
-    quote!(t.#name(a, &#place))
+    quote!(t.#name(a, #place))
 }
 
 /// A fold's accumulators: declaration and update. Extremes take the first row as it is, because ±∞ on both sides is no

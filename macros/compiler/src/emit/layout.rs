@@ -4,6 +4,7 @@
 //! quadratic leaves, active rows, rows of scope 0, …). A scope is a set of nested loops; its rows are a `Vec` of arrays
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
+use crate::form::Form;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::stage::Leaf;
 use proc_macro2::{Literal, TokenStream};
@@ -24,6 +25,8 @@ pub struct Store {
 /// The storage of a surface.
 #[derive(Debug)]
 pub struct Layout {
+    /// How far the formula is compiled.
+    pub form: Form,
     /// The scope without loops.
     pub top: Store,
     /// The other scopes.
@@ -36,11 +39,12 @@ pub struct Layout {
 
 impl Layout {
     /// Storage for all surface values that the nodes under `roots` use, and for the leaves.
-    pub fn new(graph: &Graph, leaves: &[Leaf], roots: &[Id]) -> Layout {
+    pub fn new(graph: &Graph, form: Form, leaves: &[Leaf], roots: &[Id]) -> Layout {
         let outermost = (0..graph.folds.len())
             .filter(|&f| graph.chain(f) == Scope::of(f))
             .collect();
         let mut layout = Layout {
+            form,
             top: Store::default(),
             rows: Vec::new(),
             outermost,
@@ -58,8 +62,8 @@ impl Layout {
         for &id in &nodes {
             layout.keep(graph, id);
         }
-        for id in graph.reachable(&nodes, |id| !graph.varies(id)) {
-            if graph.varies(id) {
+        for id in graph.reachable(&nodes, |id| form.ready(graph, id)) {
+            if !form.ready(graph, id) {
                 for operand in operands(graph.op(id)) {
                     layout.keep(graph, operand);
                 }
@@ -98,8 +102,17 @@ impl Layout {
         &mut self.rows[index].1
     }
 
+    /// All values of the surface stage.
+    pub fn surface_values(&self) -> impl Iterator<Item = Id> {
+        let stores = std::iter::once(&self.top).chain(self.rows.iter().map(|r| &r.1));
+        stores.flat_map(|s| s.values.iter().copied())
+    }
+
     fn keep(&mut self, graph: &Graph, id: Id) {
-        if graph.varies(id) || graph.literal(id).is_some() || self.values.contains_key(&id) {
+        if !self.form.ready(graph, id)
+            || graph.literal(id).is_some()
+            || self.values.contains_key(&id)
+        {
             return;
         }
         let scope = graph.info(id).scope;

@@ -13,6 +13,7 @@ mod text;
 
 pub use item::{FieldHead, definition};
 
+use crate::form::Form;
 use crate::front::Head;
 use crate::graph::{Graph, Id, Op};
 use crate::lower::{Lowering, TooLarge};
@@ -21,22 +22,24 @@ use crate::tree::Formula;
 use layout::Layout;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
+use report::Counts;
 use stages::Compiled;
 
 /// The code of a formula without errors. `root` is the path of the runtime's crate.
-pub fn surface(formula: &Formula, root: &TokenStream) -> Result<TokenStream, TooLarge> {
+pub fn surface(formula: &Formula, root: &TokenStream, form: Form) -> Result<TokenStream, TooLarge> {
     let name = formula
         .name
         .clone()
         .unwrap_or_else(|| Ident::new("Implicit", Span::mixed_site()));
     let heads: Vec<FieldHead> = formula.fields.iter().map(FieldHead::from).collect();
     if formula.name.is_some() {
-        let implementation = implementation(formula, &name, root, &item::default(formula, &name))?;
+        let implementation =
+            implementation(formula, &name, root, form, &item::default(formula, &name))?;
         let definition = definition(&formula.attributes, &formula.visibility, &name, &heads);
         let setters = item::setters(&name, &heads);
         return Ok(quote!(#definition #implementation #setters));
     }
-    let implementation = implementation(formula, &name, root, &TokenStream::new())?;
+    let implementation = implementation(formula, &name, root, form, &TokenStream::new())?;
     let definition = definition(
         &quote!(#[derive(Clone, Debug)]),
         &TokenStream::new(),
@@ -60,7 +63,8 @@ pub fn placeholder(head: &Head, root: &TokenStream) -> TokenStream {
     let setters = item::setters(&head.name, &heads);
     let default = item::placeholder_default(head);
     let empty = Formula::coordinate(head.name.clone());
-    let implementation = implementation(&empty, &head.name, root, &default).unwrap_or_default();
+    let implementation =
+        implementation(&empty, &head.name, root, Form::Staged, &default).unwrap_or_default();
     quote!(#definition #implementation #setters)
 }
 
@@ -68,18 +72,20 @@ fn implementation(
     formula: &Formula,
     name: &Ident,
     root: &TokenStream,
+    form: Form,
     default: &TokenStream,
 ) -> Result<TokenStream, TooLarge> {
     let mut lowering = Lowering::new(formula);
     let value = lowering.root()?;
     let mut graph = lowering.graph;
     let space = derivatives(&mut graph, value);
-    let staged = Staged::new(&mut graph, value);
+    let counts = Counts::new(&graph, value, &space);
+    let staged = Staged::in_form(&mut graph, value, form);
     let mut roots = space.clone();
     roots.extend(staged.jet.iter().flatten());
-    let layout = Layout::new(&graph, &staged.leaves, &roots);
+    let layout = Layout::new(&graph, form, &staged.leaves, &roots);
     let fields: Vec<Ident> = formula.fields.iter().map(|f| f.name.clone()).collect();
-    let partial = surface_values(&layout).any(|id| !graph.info(id).total);
+    let partial = layout.surface_values().any(|id| !graph.info(id).total);
     let compiled = Compiled {
         graph: &graph,
         layout: &layout,
@@ -90,7 +96,7 @@ fn implementation(
         partial,
     };
     let text = name.to_string();
-    let members = members(&compiled, formula, &text)?;
+    let members = members(&compiled, &counts, formula, &text)?;
     Ok(quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         const _: () = {
@@ -105,7 +111,12 @@ fn implementation(
     })
 }
 
-fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<TokenStream, TooLarge> {
+fn members(
+    compiled: &Compiled,
+    counts: &Counts,
+    formula: &Formula,
+    surface: &str,
+) -> Result<TokenStream, TooLarge> {
     let (prepared, bound) = (
         compiled.layout.prepared_type(),
         compiled.layout.bound_type(),
@@ -119,11 +130,7 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
         compiled.segment("curvature", 3),
     ];
     let space = [compiled.space("gradient", 4), compiled.space("hessian", 10)];
-    let report = report::report(compiled, surface, &segment, &space);
-    let (along, in_space) = (
-        segment.iter().map(|f| &f.code),
-        space.iter().map(|f| &f.code),
-    );
+    let report = report::report(compiled, counts, surface);
     let quadric = compiled.quadric();
     Ok(quote! {
         #report
@@ -135,8 +142,8 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
         #prepare
         #everything
         #bind
-        #(#along)*
-        #(#in_space)*
+        #(#segment)*
+        #(#space)*
         #quadric
     })
 }
@@ -152,13 +159,4 @@ fn derivatives(graph: &mut Graph, value: Id) -> Vec<Id> {
         all.extend(second.iter().skip(k));
     }
     all
-}
-
-fn surface_values(layout: &Layout) -> impl Iterator<Item = Id> {
-    layout
-        .top
-        .values
-        .iter()
-        .chain(layout.rows.iter().flat_map(|r| r.1.values.iter()))
-        .copied()
 }

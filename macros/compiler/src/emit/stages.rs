@@ -29,14 +29,6 @@ pub struct Compiled<'a> {
     pub partial: bool,
 }
 
-/// A function with the operations that it holds.
-pub struct Counted {
-    /// The function.
-    pub code: TokenStream,
-    /// Interval operations, bodies of loops counted once.
-    pub operations: u32,
-}
-
 impl Compiled<'_> {
     fn enclosure(&self, stage: Stage) -> Enclosure<'_> {
         Enclosure {
@@ -44,7 +36,6 @@ impl Compiled<'_> {
             layout: self.layout,
             stage,
             fields: self.fields,
-            operations: 0,
         }
     }
 
@@ -255,12 +246,12 @@ impl Compiled<'_> {
     }
 
     /// `value`, `slope` or `curvature`: the first `n` derivatives along the ray.
-    pub fn segment(&self, name: &str, n: usize) -> Counted {
+    pub fn segment(&self, name: &str, n: usize) -> TokenStream {
         let targets: Vec<Id> = self.staged.jet.iter().take(n).flatten().copied().collect();
         let mut target = self.enclosure(Stage::Segment);
         let (body, jet) = self.jet(&mut target, &targets, 1);
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
-        let code = quote! {
+        quote! {
             #[inline(always)]
             fn #name<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
                 a: A,
@@ -271,20 +262,16 @@ impl Compiled<'_> {
                 #body
                 #jet
             }
-        };
-        Counted {
-            code,
-            operations: target.operations,
         }
     }
 
     /// `gradient` or `hessian`: the first `n` of the values in space.
-    pub fn space(&self, name: &str, n: usize) -> Counted {
+    pub fn space(&self, name: &str, n: usize) -> TokenStream {
         let targets: Vec<Id> = self.space.iter().take(n).copied().collect();
         let mut target = self.enclosure(Stage::Space);
         let (body, jet) = self.jet(&mut target, &targets, 1);
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
-        let code = quote! {
+        quote! {
             #[inline(always)]
             fn #name<A: __zeroset::Arithmetic>(
                 a: A,
@@ -294,10 +281,6 @@ impl Compiled<'_> {
                 #body
                 #jet
             }
-        };
-        Counted {
-            code,
-            operations: target.operations,
         }
     }
 
