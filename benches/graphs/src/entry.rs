@@ -1,6 +1,7 @@
-//! One pass of an entry point over packets of segments, on AVX-512.
+//! One pass of an entry point over packets of segments.
 
 use std::hint::black_box;
+use std::time::{Duration, Instant};
 
 use zeroset::Surface;
 use zeroset::interval::{self, Interval, Isa, Kernel, Packet, Routine};
@@ -28,26 +29,57 @@ pub const PACKETS: usize = 64;
 
 /// Evaluates one entry point of a surface; a compiled surface without its type.
 pub trait Evaluate {
-    /// `passes` passes over the same packets of segments inside the cube of this half side.
-    fn pass(&self, entry: Entry, half: f64, passes: u32);
+    /// How long so many passes take over the same packets of segments inside the cube of this half side.
+    fn time(&self, entry: Entry, half: f64, passes: u32) -> Duration;
     /// The operations along a ray, in space, and how many leaves there are.
     fn report(&self) -> zeroset::surface::Report;
 }
 
 impl<S: Surface> Evaluate for S {
-    fn pass(&self, entry: Entry, half: f64, passes: u32) {
-        // The first is the best that this processor has.
-        Isa::available()[0].run(Pass {
+    fn time(&self, entry: Entry, half: f64, passes: u32) -> Duration {
+        isa().run(Pass {
             surface: self,
             entry,
             half,
             passes,
-        });
+        })
     }
 
     fn report(&self) -> zeroset::surface::Report {
         S::REPORT
     }
+}
+
+/// The processor path that is measured.
+///
+/// # Panics
+/// If `ZEROSET_ISA` names one that is not there.
+pub fn isa() -> Isa {
+    let isa = Isa::detect().expect("a processor path");
+    assert!(
+        compiled(isa.name()),
+        "{isa} was not compiled: set ZEROSET_ISA when this is built"
+    );
+    isa
+}
+
+/// Is code made for this path? All would take rustc minutes: those with vectors, or the one that `ZEROSET_ISA` names.
+const fn compiled(name: &str) -> bool {
+    match option_env!("ZEROSET_ISA") {
+        Some(only) => equal(name, only),
+        None => equal(name, "avx512") || equal(name, "avx2"),
+    }
+}
+
+const fn equal(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut same = a.len() == b.len();
+    let mut i = 0;
+    while same && i < a.len() {
+        same = a[i] == b[i];
+        i += 1;
+    }
+    same
 }
 
 struct Pass<'a, S> {
@@ -58,19 +90,19 @@ struct Pass<'a, S> {
 }
 
 impl<S: Surface> Kernel for Pass<'_, S> {
-    type Output = ();
+    type Output = Duration;
 
     #[inline(always)]
-    fn run<P: Packet>(self, p: P) {
-        // Only where each instruction rounds as it says: the others would take rustc three times as long.
-        if P::OPTIMAL && P::LANES == 8 {
-            measure(p, &self);
+    fn run<P: Packet>(self, p: P) -> Duration {
+        if const { compiled(P::NAME) } {
+            return measure(p, &self);
         }
+        Duration::ZERO
     }
 }
 
 #[inline(always)]
-fn measure<S: Surface, P: Packet>(p: P, pass: &Pass<S>) {
+fn measure<S: Surface, P: Packet>(p: P, pass: &Pass<S>) -> Duration {
     let prepared = pass.surface.prepare();
     let mut bound = S::unbound(p);
     let rays = rays(p, pass.half);
@@ -81,6 +113,7 @@ fn measure<S: Surface, P: Packet>(p: P, pass: &Pass<S>) {
         .map(|_| std::array::from_fn(|_| random.interval(p, pass.half)))
         .collect();
     let (prepared, bound) = (&prepared, &bound);
+    let start = Instant::now();
     for _ in 0..pass.passes {
         for k in 0..PACKETS {
             let (t, at) = (&segments[k], &boxes[k]);
@@ -94,6 +127,7 @@ fn measure<S: Surface, P: Packet>(p: P, pass: &Pass<S>) {
             }
         }
     }
+    start.elapsed()
 }
 
 /// f and its first `N − 1` derivatives.
