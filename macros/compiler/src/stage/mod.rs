@@ -4,8 +4,11 @@
 //! (its degree is 0). Each maximal subexpression of degree 1 or 2 becomes a leaf of the ray stage. The rest, rebuilt on
 //! the leaves, is the segment stage.
 
+mod maximal;
+
 use crate::form::Form;
 use crate::graph::{Graph, Id, Info, Op, Sign, operands};
+use maximal::Survey;
 use std::collections::HashMap;
 
 /// A leaf: its node in space, and whether it is quadratic.
@@ -21,6 +24,7 @@ pub struct Leaf {
 #[derive(Debug, Default)]
 pub struct Staged {
     form: Form,
+    survey: Survey,
     /// The leaves of the ray stage.
     pub leaves: Vec<Leaf>,
     /// f, df/dt, d²f/dt² in terms of leaves and surface values.
@@ -39,6 +43,13 @@ impl Staged {
             form,
             ..Staged::default()
         };
+        if form == Form::Staged {
+            staged.survey = Survey::new(graph, root);
+            // What the leaves are depends on how many there are alike: a first round counts them.
+            staged.rebuild(graph, root, &mut HashMap::new());
+            staged.survey.settle();
+            staged.leaves.clear();
+        }
         let value = staged.rebuild(graph, root, &mut HashMap::new());
         let leaves = staged.leaves.clone();
         let leaf = |graph: &mut Graph, k: usize, order: u8| leaf_node(graph, &leaves, k, order);
@@ -58,24 +69,33 @@ impl Staged {
         if let Some(&known) = memo.get(&id) {
             return known;
         }
-        let new = match graph.info(id).degree {
-            Some(0) => id,
-            Some(degree @ 1..=2) if self.is_leaf(graph, id) => {
-                let k = self.leaves.len();
-                self.leaves.push(Leaf {
-                    node: id,
-                    quadratic: degree == 2,
-                });
-                leaf_node(graph, &self.leaves, k, 0)
-            }
+        let new = match (self.form, graph.info(id).degree) {
+            (_, Some(0)) => id,
+            (Form::Staged, Some(1)) => self.leaf(graph, id),
+            (Form::Staged, Some(2)) => self.quadratic(graph, id, memo),
+            (Form::Staged, _) => match graph.op(id) {
+                Op::Add(..) | Op::Subtract(..) | Op::Negate(_) => self.sum(graph, id, memo),
+                Op::Multiply(..) => self.product(graph, id, memo),
+                _ => self.rebuild_operation(graph, id, memo),
+            },
+            _ if matches!(graph.op(id), Op::Coordinate(_)) => self.leaf(graph, id),
             _ => self.rebuild_operation(graph, id, memo),
         };
         memo.insert(id, new);
         new
     }
 
-    fn is_leaf(&self, graph: &Graph, id: Id) -> bool {
-        self.form == Form::Staged || matches!(graph.op(id), Op::Coordinate(_))
+    /// A leaf that stands for the node.
+    fn leaf(&mut self, graph: &mut Graph, id: Id) -> Id {
+        let same = |leaf: &Leaf| leaf.node == id;
+        let k = self.leaves.iter().position(same).unwrap_or_else(|| {
+            self.leaves.push(Leaf {
+                node: id,
+                quadratic: graph.info(id).degree == Some(2),
+            });
+            self.leaves.len() - 1
+        });
+        leaf_node(graph, &self.leaves, k, 0)
     }
 
     fn rebuild_operation(&mut self, graph: &mut Graph, id: Id, memo: &mut HashMap<Id, Id>) -> Id {
