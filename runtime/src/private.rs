@@ -1,7 +1,8 @@
 //! What generated code names. Nothing here is for users.
 
 pub use crate::interval::{
-    Arithmetic, Interval, Jet, Linear, Number, Packet, Parameter, Quadratic, Undecided,
+    Arithmetic, Interval, Jet, Linear, Number, Packet, Parameter, Polynomial, Quadratic, Undecided,
+    series,
 };
 pub use crate::language;
 pub use crate::ray::Rays;

@@ -105,6 +105,8 @@ pub struct Report {
     pub surface_operations: u32,
     /// Linear and quadratic leaves of the ray stage, in loops counted once.
     pub leaves: u32,
+    /// Polynomials of higher degree in t whose coefficients the ray stage computes.
+    pub polynomials: u32,
     /// Operations on polynomials in t that make these leaves, done once per ray.
     pub ray_operations: u32,
     /// Interval operations over a segment of a ray: value, slope, curvature.

@@ -3,6 +3,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use crate::width::{Widths, widths};
 use zeroset::Surface;
 use zeroset::interval::{self, Interval, Isa, Kernel, Packet, Routine};
 use zeroset::ray::Rays;
@@ -31,6 +32,8 @@ pub const PACKETS: usize = 64;
 pub trait Evaluate {
     /// How long so many passes take over the same packets of segments inside the cube of this half side.
     fn time(&self, entry: Entry, half: f64, passes: u32) -> Duration;
+    /// How wide its enclosures are: see [`widths`].
+    fn widths(&self, half: f64, width: f64, count: usize) -> Vec<Widths>;
     /// The operations along a ray, in space, and how many leaves there are.
     fn report(&self) -> zeroset::surface::Report;
 }
@@ -43,6 +46,10 @@ impl<S: Surface> Evaluate for S {
             half,
             passes,
         })
+    }
+
+    fn widths(&self, half: f64, width: f64, count: usize) -> Vec<Widths> {
+        widths(self, half, width, count)
     }
 
     fn report(&self) -> zeroset::surface::Report {
@@ -164,10 +171,11 @@ routines! {
 }
 
 /// Numbers in [0, 1) from a fixed seed.
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    /// The next one.
+    pub fn next(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6364136223846793005)

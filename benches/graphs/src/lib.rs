@@ -3,8 +3,10 @@
 #![forbid(unsafe_code)]
 
 pub mod entry;
+pub mod polynomials;
 pub mod surfaces;
 pub mod table;
+pub mod width;
 
 /// The formulas in each form: the module's own macro `implicit` is the one that they use.
 macro_rules! form {
@@ -29,4 +31,4 @@ macro_rules! form {
         )*
     };
 }
-form!($ naive shared staged);
+form!($ naive shared written staged);

@@ -11,8 +11,8 @@ pub struct Forms {
     pub name: &'static str,
     /// Half the side of a cube that shows it.
     pub half: f64,
-    /// Naive, shared, staged.
-    pub forms: [Box<dyn Evaluate>; 3],
+    /// Naive, shared, in stages with all polynomials as they are written, as users get it.
+    pub forms: [Box<dyn Evaluate>; 4],
 }
 
 /// A surface's name, half the side of its cube, and itself.
@@ -65,12 +65,13 @@ macro_rules! list {
 
 /// All of them.
 pub fn all() -> Vec<Forms> {
-    let [naive, shared, staged] = list!(naive shared staged);
-    let both = naive.into_iter().zip(shared).zip(staged);
-    both.map(|((a, b), c)| Forms {
-        name: c.0,
-        half: c.1,
-        forms: [a.2, b.2, c.2],
+    let [naive, shared, written, staged] = list!(naive shared written staged);
+    let pairs = naive.into_iter().zip(shared);
+    let both = pairs.zip(written.into_iter().zip(staged));
+    both.map(|((a, b), (c, d))| Forms {
+        name: d.0,
+        half: d.1,
+        forms: [a.2, b.2, c.2, d.2],
     })
     .collect()
 }

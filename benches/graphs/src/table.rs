@@ -14,7 +14,7 @@ const ALONG: [Entry; 3] = [Entry::Value, Entry::Slope, Entry::Curvature];
 const SPACE: [Entry; 3] = [Entry::SpaceValue, Entry::Gradient, Entry::Hessian];
 
 /// One thing to time.
-struct Timed<'a> {
+pub(crate) struct Timed<'a> {
     surface: &'a dyn Evaluate,
     half: f64,
     entry: Entry,
@@ -23,7 +23,7 @@ struct Timed<'a> {
 }
 
 impl<'a> Timed<'a> {
-    fn new(surface: &'a dyn Evaluate, half: f64, entry: Entry) -> Self {
+    pub(crate) fn new(surface: &'a dyn Evaluate, half: f64, entry: Entry) -> Self {
         let mut timed = Timed {
             surface,
             half,
@@ -56,7 +56,7 @@ impl<'a> Timed<'a> {
 }
 
 /// Medians of interleaved rounds.
-fn medians(mut all: Vec<Timed>) -> Vec<f64> {
+pub(crate) fn medians(mut all: Vec<Timed>) -> Vec<f64> {
     for _ in 0..ROUNDS {
         all.iter_mut().for_each(Timed::round);
     }
@@ -75,15 +75,11 @@ pub fn print(surfaces: &[Forms]) {
     println!("|---|---|---|---|---|---|---|---|---|");
     let mut lost = Vec::new();
     for s in surfaces {
-        let report = s.forms[2].report();
+        let report = s.forms[3].report();
         let counts = report
             .segment
             .map(|o| format!("{} {} {}", o.naive, o.shared, o.staged));
-        let timed = |entry| {
-            s.forms
-                .iter()
-                .map(move |form| Timed::new(form.as_ref(), s.half, entry))
-        };
+        let timed = |entry| [0, 1, 3].map(|form| Timed::new(s.forms[form].as_ref(), s.half, entry));
         let times = medians(ALONG.into_iter().flat_map(timed).collect());
         let cells: Vec<String> = times
             .chunks(3)
@@ -126,7 +122,7 @@ fn print_space(surfaces: &[Forms]) {
     println!("|---|---|---|---|---|---|---|---|---|");
     let mut missed = Vec::new();
     for s in surfaces {
-        let staged = s.forms[2].as_ref();
+        let staged = s.forms[3].as_ref();
         let counts = staged.report().space.map(|o| o.staged.to_string());
         let t = medians(
             SPACE
@@ -150,7 +146,7 @@ fn print_space(surfaces: &[Forms]) {
     println!("\nBeyond the goals: {}.", list(&missed));
 }
 
-fn list(names: &[String]) -> String {
+pub(crate) fn list(names: &[String]) -> String {
     if names.is_empty() {
         "none".to_owned()
     } else {

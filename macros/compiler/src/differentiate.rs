@@ -5,7 +5,7 @@
 //! variables (Baur and Strassen 1983); sweeping over the gradient's own nodes gives the Hessian.
 
 use crate::functions::Function;
-use crate::graph::{Graph, Id, Op, Undecided, operands};
+use crate::graph::{Graph, Id, Info, Op, Sign, Undecided, operands};
 use crate::tree::FoldKind;
 use std::collections::{BTreeMap, HashMap};
 
@@ -191,6 +191,18 @@ impl Graph {
         }
         let slope = match self.op(id).clone() {
             Op::Leaf(k, order) => leaf(self, k, order + 1),
+            // Its degree is higher than any order that is asked for.
+            Op::Polynomial(k, order) => {
+                let info = self.info(id).clone();
+                self.polynomial(
+                    k,
+                    order + 1,
+                    Info {
+                        sign: Sign::Unknown,
+                        ..info
+                    },
+                )
+            }
             Op::Choose(c, a, b, undecided) => {
                 let (a, b) = (self.along(a, memo, leaf), self.along(b, memo, leaf));
                 self.choose(c, a, b, undecided)

@@ -10,7 +10,10 @@ pub enum Form {
     Naive,
     /// What is equal is computed once, but everything at the last stage.
     Shared,
-    /// Everything is computed once, at the first stage that can.
+    /// In stages, but polynomials of higher degree are evaluated as they are written.
+    Written,
+    /// Everything is computed once, at the first stage that can, and polynomials from their coefficients where that is
+    /// cheaper.
     #[default]
     Staged,
 }
@@ -21,14 +24,20 @@ impl Form {
         Some(match name {
             "naive" => Form::Naive,
             "shared" => Form::Shared,
+            "written" => Form::Written,
             "staged" => Form::Staged,
             _ => return None,
         })
     }
 
+    /// Is everything computed at the first stage that can?
+    pub fn in_stages(self) -> bool {
+        matches!(self, Form::Written | Form::Staged)
+    }
+
     /// Is the node ready when the last stage begins? Inputs always are.
     pub fn ready(self, graph: &Graph, id: Id) -> bool {
-        !graph.varies(id) && (self == Form::Staged || operands(graph.op(id)).is_empty())
+        !graph.varies(id) && (self.in_stages() || operands(graph.op(id)).is_empty())
     }
 }
 
@@ -86,7 +95,8 @@ fn operands_mut(op: &mut Op) -> Vec<&mut Id> {
         | Op::Field(..)
         | Op::Row(..)
         | Op::Counter(_)
-        | Op::Leaf(..) => vec![],
+        | Op::Leaf(..)
+        | Op::Polynomial(..) => vec![],
         Op::Negate(a) | Op::Power(a, _) | Op::Unary(_, a) | Op::AbsSlope(a) => vec![a],
         Op::Add(a, b)
         | Op::Subtract(a, b)

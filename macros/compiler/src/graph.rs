@@ -99,6 +99,8 @@ pub enum Op {
     Fold(FoldKind, usize, Vec<Id>),
     /// A leaf of the ray stage (index into the stage's leaves): value, slope or curvature along the ray.
     Leaf(usize, u8),
+    /// A polynomial of higher degree over a segment (index into the stage's polynomials): value, slope or curvature.
+    Polynomial(usize, u8),
 }
 
 /// A certain sign.
@@ -262,6 +264,7 @@ impl Graph {
             Op::Choose(c, a, b, u) => format!("choose {} ({u:?})", list(&[*c, *a, *b])),
             Op::Fold(k, f, b) => format!("{k:?} over fold {f}: {}", list(b)).to_lowercase(),
             Op::Leaf(k, n) => format!("leaf {k}{}", "'".repeat(*n as usize)),
+            Op::Polynomial(k, n) => format!("polynomial {k}{}", "'".repeat(*n as usize)),
             op => {
                 let word = match op {
                     Op::Negate(_) => "negate",
@@ -296,7 +299,8 @@ pub fn operands(op: &Op) -> Vec<Id> {
         | Op::Field(..)
         | Op::Row(..)
         | Op::Counter(_)
-        | Op::Leaf(..) => vec![],
+        | Op::Leaf(..)
+        | Op::Polynomial(..) => vec![],
         Op::Negate(a) | Op::Power(a, _) | Op::Unary(_, a) | Op::AbsSlope(a) => vec![*a],
         Op::Add(a, b)
         | Op::Subtract(a, b)

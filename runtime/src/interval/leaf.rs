@@ -1,6 +1,6 @@
 //! Linear and quadratic leaves: subexpressions of degree ≤ 2 along a ray, reduced to their coefficients once per ray.
 
-use super::{Arithmetic, Interval, Packet};
+use super::{Arithmetic, Interval, Packet, Polynomial};
 
 /// c₀ + c₁t, for t ≥ 0.
 #[derive(Clone, Copy)]
@@ -45,6 +45,16 @@ pub trait Parameter<A: Arithmetic>: Copy {
     fn quadratic_slope(self, a: A, leaf: &Quadratic<A::Packet>) -> A::Value;
     /// 2c₂
     fn quadratic_curvature(self, a: A, leaf: &Quadratic<A::Packet>) -> A::Value;
+    /// A polynomial of higher degree and its first K − 1 derivatives, over a segment; nothing for other parameters, for which
+    /// a formula is evaluated as it is written.
+    #[inline(always)]
+    fn polynomial<const N: usize, const K: usize>(
+        self,
+        _a: A,
+        _of: &Polynomial<A::Packet, N>,
+    ) -> Option<[A::Value; K]> {
+        None
+    }
 }
 
 /// A single t ≥ 0 per lane.

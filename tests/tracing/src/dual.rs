@@ -204,6 +204,7 @@ impl<F: Formula> Surface for Hand<F> {
         total: false,
         functions: &[],
         leaves: 3,
+        polynomials: 0,
         surface_operations: 0,
         ray_operations: 0,
         segment: [Operations::NONE; 3],

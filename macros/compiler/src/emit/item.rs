@@ -229,7 +229,7 @@ fn bound(formula: &Formula, term: &Term, side: &TokenStream) -> Result<TokenStre
     let mut lowering = Lowering::new(formula);
     let id: Id = lowering.term(term)?;
     let graph = &lowering.graph;
-    let layout = Layout::new(graph, Form::Staged, &[], &[]);
+    let layout = Layout::new(graph, Form::Staged, &[], &[], &[]);
     let mut target = Enclosure {
         graph,
         layout: &layout,

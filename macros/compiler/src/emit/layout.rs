@@ -1,7 +1,7 @@
 //! Where the values of the surface and ray stages are stored.
 //!
 //! `Prepared` is the tuple (values, undefined, rows of scope 0, rows of scope 1, …), `Bound` the tuple (linear leaves,
-//! quadratic leaves, active rows, rows of scope 0, …). A scope is a set of nested loops; its rows are a `Vec` of arrays
+//! quadratic leaves, active rows, rows of scope 0, …, polynomials of higher degree). A scope is a set of nested loops; its rows are a `Vec` of arrays
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
 use crate::form::Form;
@@ -35,11 +35,20 @@ pub struct Layout {
     pub outermost: Vec<usize>,
     values: HashMap<Id, (Scope, usize)>,
     leaves: Vec<(Scope, bool, usize)>,
+    /// The degrees of the polynomials, all in the scope without loops.
+    polynomials: Vec<u32>,
 }
 
 impl Layout {
-    /// Storage for all surface values that the nodes under `roots` use, and for the leaves.
-    pub fn new(graph: &Graph, form: Form, leaves: &[Leaf], roots: &[Id]) -> Layout {
+    /// Storage for all surface values that the nodes under `roots` use, for the leaves, and for polynomials (with their
+    /// degrees).
+    pub fn new(
+        graph: &Graph,
+        form: Form,
+        leaves: &[Leaf],
+        polynomials: &[(Id, u32)],
+        roots: &[Id],
+    ) -> Layout {
         let outermost = (0..graph.folds.len())
             .filter(|&f| graph.chain(f) == Scope::of(f))
             .collect();
@@ -50,6 +59,7 @@ impl Layout {
             outermost,
             values: HashMap::new(),
             leaves: Vec::new(),
+            polynomials: polynomials.iter().map(|p| p.1).collect(),
         };
         for fold in 0..graph.folds.len() {
             layout.store(graph.chain(fold));
@@ -58,6 +68,7 @@ impl Layout {
             .iter()
             .copied()
             .chain(leaves.iter().map(|l| l.node))
+            .chain(polynomials.iter().map(|p| p.0))
             .collect();
         for &id in &nodes {
             layout.keep(graph, id);
@@ -174,6 +185,22 @@ impl Layout {
         quote!(bound.#field)
     }
 
+    /// `bound.7.0`: a polynomial in the tuple `Bound`.
+    pub fn polynomial(&self, k: usize) -> TokenStream {
+        let (all, k) = (
+            Literal::usize_unsuffixed(3 + self.rows.len()),
+            Literal::usize_unsuffixed(k),
+        );
+        quote!(bound.#all.#k)
+    }
+
+    /// How many coefficients each polynomial has.
+    pub fn coefficients(&self) -> impl Iterator<Item = Literal> {
+        self.polynomials
+            .iter()
+            .map(|d| Literal::usize_unsuffixed(*d as usize + 1))
+    }
+
     /// How many rows a fold has, once the loops around it are entered.
     pub fn length(&self, graph: &Graph, fold: usize) -> TokenStream {
         let chain = graph.chain(fold);
@@ -213,7 +240,13 @@ impl Layout {
             let row = leaves_type(store);
             nested(*scope, quote!((#row)))
         });
-        quote!((#top __zeroset::Vec<__zeroset::Vec<__zeroset::primitive::u32>>, #(#rows,)*))
+        let lengths = self.coefficients();
+        quote!((
+            #top
+            __zeroset::Vec<__zeroset::Vec<__zeroset::primitive::u32>>,
+            #(#rows,)*
+            (#(__zeroset::Polynomial<P, #lengths>,)*),
+        ))
     }
 }
 

@@ -8,6 +8,7 @@ mod polynomial;
 mod report;
 mod rows;
 mod scalar;
+mod series;
 mod stages;
 mod text;
 
@@ -83,7 +84,8 @@ fn implementation(
     let staged = Staged::in_form(&mut graph, value, form);
     let mut roots = space.clone();
     roots.extend(staged.jet.iter().flatten());
-    let layout = Layout::new(&graph, form, &staged.leaves, &roots);
+    roots.extend(staged.over.iter().flatten());
+    let layout = Layout::new(&graph, form, &staged.leaves, &staged.polynomials, &roots);
     let fields: Vec<Ident> = formula.fields.iter().map(|f| f.name.clone()).collect();
     let partial = layout.surface_values().any(|id| !graph.info(id).total);
     let compiled = Compiled {

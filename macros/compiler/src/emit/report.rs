@@ -70,9 +70,11 @@ pub fn report(compiled: &Compiled, counts: &Counts, surface: &str) -> TokenStrea
     let total = info.total;
     let functions = functions(compiled, &nodes);
     let leaves = count(compiled.staged.leaves.len());
+    let polynomials = count(compiled.staged.polynomials.len());
     let of_leaves: Vec<Id> = compiled.staged.leaves.iter().map(|l| l.node).collect();
     let ray = graph.shared_operations(&of_leaves, |id| !graph.varies(id));
-    let jet: Vec<Id> = compiled.staged.jet.iter().flatten().copied().collect();
+    let written: Vec<Id> = compiled.staged.jet.iter().flatten().copied().collect();
+    let jet = compiled.staged.over.map_or(written, |jet| jet.to_vec());
     let segment = operations(graph, &counts.segment, &jet, SEGMENT);
     let space = operations(graph, &counts.space, compiled.space, SPACE);
     let prepared: Vec<Id> = compiled.layout.surface_values().collect();
@@ -86,6 +88,7 @@ pub fn report(compiled: &Compiled, counts: &Counts, surface: &str) -> TokenStrea
             functions: &[#(#functions),*],
             surface_operations: #at_surface,
             leaves: #leaves,
+            polynomials: #polynomials,
             ray_operations: #ray,
             segment: [#(#segment),*],
             space: [#(#space),*],

@@ -4,7 +4,8 @@
 //! stand. A quadratic leaf costs about two products, and its range is exact; where something cheaper is as exact, that is
 //! taken: the square of a linear leaf, and a leaf that is there already, scaled or shifted by a constant.
 
-use super::Staged;
+use super::{MOST, Staged};
+use crate::form::Form;
 use crate::graph::{Graph, Id, Op, operands};
 use std::collections::{HashMap, HashSet};
 
@@ -65,9 +66,9 @@ fn is_square(graph: &Graph, id: Id) -> bool {
     matches!(*graph.op(id), Op::Power(a, 2) if graph.info(a).degree == Some(1))
 }
 
-/// May it become a leaf?
-fn is_low(graph: &Graph, id: Id) -> bool {
-    graph.info(id).degree.is_some_and(|d| d <= 2)
+/// Is it a polynomial of this degree at most?
+fn is_low(graph: &Graph, id: Id, most: u32) -> bool {
+    graph.info(id).degree.is_some_and(|d| d <= most)
 }
 
 impl Staged {
@@ -86,12 +87,19 @@ impl Staged {
         self.leaf(graph, id)
     }
 
-    /// A sum of higher degree: its low terms together are one leaf.
+    /// A sum of higher degree: its low terms together are one leaf, or those that are polynomials one polynomial.
     pub(super) fn sum(&mut self, graph: &mut Graph, id: Id, memo: &mut HashMap<Id, Id>) -> Id {
+        let whole = graph.info(id).degree.is_some();
+        let most = if self.form == Form::Staged && !whole {
+            MOST
+        } else {
+            2
+        };
         let mut terms = Vec::new();
-        self.terms(graph, id, false, &mut terms);
-        let (low, high): (Vec<_>, Vec<_>) =
-            terms.into_iter().partition(|term| is_low(graph, term.1));
+        self.terms(graph, id, (false, most), &mut terms);
+        let (low, high): (Vec<_>, Vec<_>) = terms
+            .into_iter()
+            .partition(|term| is_low(graph, term.1, most));
         let Some(together) = total(graph, &low) else {
             return self.rebuild_operation(graph, id, memo);
         };
@@ -107,11 +115,17 @@ impl Staged {
     }
 
     /// The terms of a sum, with a flag for those that are subtracted. A partial sum that is used elsewhere too is a term.
-    fn terms(&self, graph: &Graph, id: Id, negative: bool, out: &mut Vec<(bool, Id)>) {
-        let inner = |a: Id| self.survey.is_inner(a) && !is_low(graph, a);
+    fn terms(
+        &self,
+        graph: &Graph,
+        id: Id,
+        (negative, most): (bool, u32),
+        out: &mut Vec<(bool, Id)>,
+    ) {
+        let inner = |a: Id| self.survey.is_inner(a) && !is_low(graph, a, most);
         let mut next = |a: Id, negative: bool| match graph.op(a) {
             Op::Add(..) | Op::Subtract(..) | Op::Negate(_) if inner(a) => {
-                self.terms(graph, a, negative, out);
+                self.terms(graph, a, (negative, most), out);
             }
             _ => out.push((negative, a)),
         };

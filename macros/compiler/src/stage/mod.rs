@@ -7,7 +7,7 @@
 mod maximal;
 
 use crate::form::Form;
-use crate::graph::{Graph, Id, Info, Op, Sign, operands};
+use crate::graph::{Graph, Id, Info, Op, Scope, Sign, operands};
 use maximal::Survey;
 use std::collections::HashMap;
 
@@ -29,6 +29,10 @@ pub struct Staged {
     pub leaves: Vec<Leaf>,
     /// f, df/dt, d²f/dt² in terms of leaves and surface values.
     pub jet: [Option<Id>; 3],
+    /// Subexpressions of higher degree whose coefficients the ray stage computes too, with their degree.
+    pub polynomials: Vec<(Id, u32)>,
+    /// f, df/dt, d²f/dt² over a segment in terms of these, if there are any; at points `jet` is better.
+    pub over: Option<[Id; 3]>,
 }
 
 impl Staged {
@@ -43,7 +47,9 @@ impl Staged {
             form,
             ..Staged::default()
         };
-        if form == Form::Staged {
+        if form.in_stages() {
+            // Polynomials as they are written first: points are evaluated so.
+            staged.form = Form::Written;
             staged.survey = Survey::new(graph, root);
             // What the leaves are depends on how many there are alike: a first round counts them.
             staged.rebuild(graph, root, &mut HashMap::new());
@@ -51,17 +57,28 @@ impl Staged {
             staged.leaves.clear();
         }
         let value = staged.rebuild(graph, root, &mut HashMap::new());
-        let leaves = staged.leaves.clone();
-        let leaf = |graph: &mut Graph, k: usize, order: u8| leaf_node(graph, &leaves, k, order);
-        let mut memo = HashMap::new();
-        let slope = graph.along(value, &mut memo, &leaf);
-        let curvature = graph.along(slope, &mut memo, &leaf);
-        let mut jet = [value, slope, curvature];
+        let mut jet = staged.jet_of(graph, value);
         if form == Form::Naive {
             jet = jet.map(|id| graph.unshared(id));
         }
         staged.jet = jet.map(Some);
+        if form == Form::Staged {
+            staged.form = form;
+            let value = staged.rebuild(graph, root, &mut HashMap::new());
+            if !staged.polynomials.is_empty() {
+                staged.over = Some(staged.jet_of(graph, value));
+            }
+        }
         staged
+    }
+
+    fn jet_of(&self, graph: &mut Graph, value: Id) -> [Id; 3] {
+        let leaf =
+            |graph: &mut Graph, k: usize, order: u8| leaf_node(graph, &self.leaves, k, order);
+        let mut memo = HashMap::new();
+        let slope = graph.along(value, &mut memo, &leaf);
+        let curvature = graph.along(slope, &mut memo, &leaf);
+        [value, slope, curvature]
     }
 
     /// The node with its maximal subexpressions of degree 1 and 2 replaced by leaves.
@@ -69,11 +86,15 @@ impl Staged {
         if let Some(&known) = memo.get(&id) {
             return known;
         }
-        let new = match (self.form, graph.info(id).degree) {
-            (_, Some(0)) => id,
-            (Form::Staged, Some(1)) => self.leaf(graph, id),
-            (Form::Staged, Some(2)) => self.quadratic(graph, id, memo),
-            (Form::Staged, _) => match graph.op(id) {
+        let staged = self.form.in_stages();
+        let new = match graph.info(id).degree {
+            Some(0) => id,
+            Some(1) if staged => self.leaf(graph, id),
+            Some(2) if staged => self.quadratic(graph, id, memo),
+            Some(degree) if self.form == Form::Staged && pays(graph, id, degree) => {
+                self.polynomial(graph, id, degree)
+            }
+            _ if staged => match graph.op(id) {
                 Op::Add(..) | Op::Subtract(..) | Op::Negate(_) => self.sum(graph, id, memo),
                 Op::Multiply(..) => self.product(graph, id, memo),
                 _ => self.rebuild_operation(graph, id, memo),
@@ -83,6 +104,14 @@ impl Staged {
         };
         memo.insert(id, new);
         new
+    }
+
+    /// A polynomial that stands for the node.
+    fn polynomial(&mut self, graph: &mut Graph, id: Id, degree: u32) -> Id {
+        let k = self.polynomials.len();
+        self.polynomials.push((id, degree));
+        let of = graph.info(id).clone();
+        graph.polynomial(k, 0, Info { degree: None, ..of })
     }
 
     /// A leaf that stands for the node.
@@ -124,6 +153,17 @@ impl Staged {
             _ => id,
         }
     }
+}
+
+/// The highest degree for which the runtime has polynomials.
+const MOST: u32 = 12;
+
+/// Is the polynomial cheaper from its coefficients than as written? What that costs is counted in operations and leaves.
+fn pays(graph: &Graph, id: Id, degree: u32) -> bool {
+    let low = |id: Id| graph.info(id).degree.is_some_and(|d| d <= 2);
+    let nodes = graph.reachable(&[id], low);
+    let written = nodes.iter().filter(|id| graph.varies(**id)).count();
+    degree <= MOST && graph.info(id).scope == Scope::default() && written > 0
 }
 
 /// The node of a leaf's value (order 0), slope or curvature. A linear leaf's slope and a quadratic leaf's curvature are
