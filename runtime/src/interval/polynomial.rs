@@ -95,27 +95,41 @@ impl<P: Packet, const N: usize, const K: usize> Routine<P> for Ranges<'_, P, N, 
             i += 1;
         }
         let mut ranges = [p.point(p.splat(0.0)); K];
-        let mut k = 0;
-        while k < K && k < N {
-            ranges[k] = hull(p, &alpha, &powers, k, errors[k]);
-            k += 1;
+        if K > 0 {
+            ranges[0] = hull::<P, N, 0>(p, &alpha, &powers, errors[0]);
+        }
+        if K > 1 {
+            ranges[1] = hull::<P, N, 1>(p, &alpha, &powers, errors[1]);
+        }
+        if K > 2 {
+            ranges[2] = hull::<P, N, 2>(p, &alpha, &powers, errors[2]);
         }
         ranges
     }
 }
 
+/// Repeats a block for each number from 0 to 12: the optimiser leaves nested loops of this size as they are, and then
+/// vectors pass through memory, at three times the cost.
+macro_rules! unrolled {
+    ($i:ident => $body:block) => {
+        unrolled!($i in 0 1 2 3 4 5 6 7 8 9 10 11 12 => $body)
+    };
+    ($i:ident in $($n:literal)* => $body:block) => {
+        $({ const $i: usize = $n; $body })*
+    };
+}
+
 /// The coefficients of f(a + s).
 #[inline(always)]
 fn shifted<P: Packet, const N: usize>(p: P, mut c: [P::F; N], a: P::F) -> [P::F; N] {
-    let mut first = 0;
-    while first + 1 < N {
-        let mut j = N - 1;
-        while j > first {
-            j -= 1;
-            c[j] = p.fma_rn(c[j + 1], a, c[j]);
-        }
-        first += 1;
-    }
+    unrolled!(FIRST => {
+        unrolled!(BACK => {
+            if FIRST + BACK + 1 < N {
+                let j = N - 2 - BACK;
+                c[j] = p.fma_rn(c[j + 1], a, c[j]);
+            }
+        });
+    });
     c
 }
 
@@ -137,35 +151,31 @@ fn errors<P: Packet, const N: usize>(p: P, rho: &[P::F; N], sigma: P::F) -> [P::
 /// The range of the k-th derivative: the hull of its Bernstein coefficients, widened by the error. Whatever overflowed
 /// gives the line.
 #[inline(always)]
-fn hull<P: Packet, const N: usize>(
+fn hull<P: Packet, const N: usize, const K: usize>(
     p: P,
     alpha: &[P::F; N],
     powers: &[P::F; N],
-    k: usize,
     error: P::F,
 ) -> Interval<P::F> {
-    let n = N - 1 - k;
     // The forward differences of the Bernstein coefficients at the first one.
     let mut d = [p.splat(0.0); N];
-    let mut i = 0;
-    while i <= n {
-        let weight = falling(i + k, k) / binomial(n, i);
-        d[i] = p.mul_rn(alpha[i + k], p.mul_rn(powers[i], p.splat(weight)));
-        i += 1;
-    }
-    let (mut least, mut most) = (d[0], d[0]);
-    let mut j = 1;
-    while j <= n {
-        let mut i = 0;
-        while i + j <= n {
-            d[i] = p.add_rn(d[i], d[i + 1]);
-            i += 1;
+    unrolled!(I => {
+        if I + K < N {
+            let weight = falling(I + K, K) / binomial(N - 1 - K, I);
+            d[I] = p.mul_rn(alpha[I + K], p.mul_rn(powers[I], p.splat(weight)));
         }
+    });
+    let (mut least, mut most) = (d[0], d[0]);
+    unrolled!(J => {
+        unrolled!(I => {
+            if J > 0 && I + J + K < N {
+                d[I] = p.add_rn(d[I], d[I + 1]);
+            }
+        });
         // A NaN stays in d[0], and is what remains in the end.
         least = p.min_f(least, d[0]);
         most = p.max_f(most, d[0]);
-        j += 1;
-    }
+    });
     let infinity = p.splat(f64::INFINITY);
     let finite = p.and(p.lt(p.neg_f(infinity), least), p.lt(most, infinity));
     let finite = p.and(finite, p.lt(error, infinity));
