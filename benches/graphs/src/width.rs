@@ -1,6 +1,6 @@
 //! How wide enclosures are.
 
-use zeroset::interval::{Arithmetic, At, Interval, Packet, Scalar};
+use zeroset::interval::{Arithmetic, At, Interval, Scalar};
 use zeroset::ray::Rays;
 use zeroset::surface::Surface;
 

@@ -5,7 +5,8 @@
 //! variables (Baur and Strassen 1983); sweeping over the gradient's own nodes gives the Hessian.
 
 use crate::functions::Function;
-use crate::graph::{Graph, Id, Info, Op, Sign, Undecided, operands};
+use crate::graph::{Graph, Id, Info, Op, Undecided, operands};
+use crate::range::Range;
 use crate::tree::FoldKind;
 use std::collections::{BTreeMap, HashMap};
 
@@ -198,7 +199,7 @@ impl Graph {
                     k,
                     order + 1,
                     Info {
-                        sign: Sign::Unknown,
+                        range: Range::LINE,
                         ..info
                     },
                 )

@@ -2,6 +2,7 @@
 
 use crate::exact::Rational;
 use crate::functions::Function;
+use crate::range::Range;
 use crate::tree::{FoldKind, Index};
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -103,24 +104,13 @@ pub enum Op {
     Polynomial(usize, u8),
 }
 
-/// A certain sign.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Sign {
-    /// Nothing is known.
-    Unknown,
-    /// ≥ 0 wherever it is defined.
-    NonNegative,
-    /// ≤ 0 wherever it is defined.
-    NonPositive,
-}
-
 /// What is known about a node's value.
 #[derive(Clone, Debug)]
 pub struct Info {
     /// Degree in x, y, z; 0 for what does not depend on the point; `None` if it is no polynomial.
     pub degree: Option<u32>,
-    /// Its sign.
-    pub sign: Sign,
+    /// Bounds of its value.
+    pub range: Range,
     /// Is it defined for all points and all values of the fields?
     pub total: bool,
     /// The folds whose current row it depends on.
@@ -314,14 +304,5 @@ pub fn operands(op: &Op) -> Vec<Id> {
         | Op::Either(a, b) => vec![*a, *b],
         Op::Choose(c, a, b, _) => vec![*c, *a, *b],
         Op::Fold(_, _, b) => b.clone(),
-    }
-}
-
-/// The sign of a rational.
-pub fn sign_of(r: &Rational) -> Sign {
-    if r.is_negative() {
-        Sign::NonPositive
-    } else {
-        Sign::NonNegative
     }
 }

@@ -21,6 +21,7 @@ pub mod functions;
 pub mod graph;
 pub mod lower;
 pub mod parse;
+pub mod range;
 pub mod rational;
 pub mod resolve;
 mod simplify;

@@ -93,7 +93,7 @@ fn operation(
     };
     // What the compiler proved to be ≥ 0 is cut there, as in generated code.
     match value {
-        Value::Number(n) if graph.info(id).sign == graph::Sign::NonNegative => {
+        Value::Number(n) if graph.info(id).range.is_nonnegative() => {
             (Value::Number(p.nonneg(n)), flags)
         }
         value => (value, flags),

@@ -5,7 +5,7 @@ use super::layout::Layout;
 use super::text::{count, flags, index, interval, number, variable};
 use crate::form::Form;
 use crate::functions::Function;
-use crate::graph::{Graph, Id, Op, Over, Scope, Sign, Undecided};
+use crate::graph::{Graph, Id, Op, Over, Scope, Undecided};
 use crate::tree::FoldKind;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -84,8 +84,7 @@ impl Target for Enclosure<'_> {
             _ => return None,
         };
         let name = variable(id);
-        let known_sign = matches!(self.graph.op(id), Op::Leaf(..))
-            && self.graph.info(id).sign == Sign::NonNegative;
+        let known_sign = matches!(self.graph.op(id), Op::Leaf(..)) && self.graph.nonnegative(id);
         let expression = if known_sign {
             quote!(a.nonneg(#expression))
         } else {
@@ -107,7 +106,7 @@ impl Target for Enclosure<'_> {
         };
         let code = expression.code;
         out.extend(quote!(let #pattern = #code;));
-        if self.graph.info(id).sign == Sign::NonNegative && !bounded_by_itself(&op) {
+        if self.graph.nonnegative(id) && !bounded_by_itself(&op) {
             out.extend(quote!(let #name = a.nonneg(#name);));
         }
         let flags = self.flags_of(id, &op, flagged, values, out);
@@ -150,7 +149,7 @@ impl Target for Enclosure<'_> {
 
     fn finish(&mut self, id: Id, value: Value, out: &mut TokenStream) -> Value {
         let name = &value.name;
-        if self.graph.info(id).sign == Sign::NonNegative {
+        if self.graph.nonnegative(id) {
             out.extend(quote!(let #name = a.nonneg(#name);));
         }
         value
@@ -183,9 +182,11 @@ impl Enclosure<'_> {
             code,
             flagged: false,
         };
-        let partial = |code| Expression {
-            code,
-            flagged: true,
+        // Where the operands cannot leave the domain, the flags are not set.
+        let regular = self.graph.is_regular(op);
+        let partial = |code: TokenStream| Expression {
+            code: if regular { quote!(#code.0) } else { code },
+            flagged: !regular,
         };
         match op {
             Op::Negate(a) => {
@@ -217,21 +218,10 @@ impl Enclosure<'_> {
                 let (a, b) = (v(a), v(b));
                 partial(quote!(a.pow(#a, #b)))
             }
-            // Whether √'s operand is ≥ 0 was proved or is tested; either way it returns flags.
-            Op::Unary(f, a) => {
-                let expression = call(f.entry().name, &[v(a)]);
-                Expression {
-                    flagged: !f.entry().total,
-                    ..expression
-                }
-            }
-            Op::Binary(f, a, b) => {
-                let expression = call(f.entry().name, &[v(a), v(b)]);
-                Expression {
-                    flagged: !f.entry().total,
-                    ..expression
-                }
-            }
+            Op::Unary(f, a) if f.entry().total => call(f.entry().name, &[v(a)]),
+            Op::Binary(f, a, b) if f.entry().total => call(f.entry().name, &[v(a), v(b)]),
+            Op::Unary(f, a) => partial(call(f.entry().name, &[v(a)]).code),
+            Op::Binary(f, a, b) => partial(call(f.entry().name, &[v(a), v(b)]).code),
             Op::AbsSlope(a) => {
                 let a = v(a);
                 partial(quote!(a.abs_slope(#a)))

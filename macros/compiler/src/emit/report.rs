@@ -6,7 +6,6 @@ use crate::form::Form;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Undecided};
 use crate::stage::Staged;
-use crate::tree::FoldKind;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 
@@ -114,16 +113,13 @@ fn continuity(compiled: &Compiled, nodes: &[Id]) -> &'static str {
     let mut smooth = true;
     for &id in nodes {
         match compiled.graph.op(id) {
-            Op::Choose(_, _, _, Undecided::Jump) | Op::Binary(Function::Atan2, ..) => {
+            Op::Choose(_, _, _, Undecided::Jump) => return "Jumps",
+            op @ Op::Binary(Function::Atan2, ..) if !compiled.graph.is_regular(op) => {
                 return "Jumps";
             }
-            Op::Fold(FoldKind::Minimum | FoldKind::Maximum, ..)
-            | Op::Choose(..)
-            | Op::RealPower(..) => {
-                smooth = false;
-            }
-            Op::Unary(f, _) | Op::Binary(f, ..) => smooth &= f.entry().smooth,
-            _ => {}
+            Op::Unary(f, _) | Op::Binary(f, ..) if f.entry().smooth => {}
+            Op::Divide(..) => {}
+            op => smooth &= compiled.graph.is_regular(op),
         }
     }
     if smooth { "Smooth" } else { "Continuous" }

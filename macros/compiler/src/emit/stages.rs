@@ -6,7 +6,7 @@ use super::enclosure::{Enclosure, Stage, Value, enter_fields};
 use super::layout::Layout;
 use super::polynomial::{Polynomial, enter_active};
 use super::series::Series;
-use crate::graph::{Graph, Id, Op, Scope, Sign};
+use crate::graph::{Graph, Id, Op, Scope};
 use crate::stage::Staged;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -294,7 +294,7 @@ impl Compiled<'_> {
             if let Op::Polynomial(k, order) = *self.graph.op(id)
                 && let Some(name) = names.get(k).and_then(|all| all.get(usize::from(order)))
             {
-                if self.graph.info(id).sign == Sign::NonNegative {
+                if self.graph.nonnegative(id) {
                     start.extend(quote!(let #name = a.nonneg(#name);));
                 }
                 let name = name.clone();

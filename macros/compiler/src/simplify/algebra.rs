@@ -1,28 +1,9 @@
 //! Sums, products, quotients and powers.
 
 use crate::exact::Rational;
-use crate::graph::{Graph, Id, Op, Sign};
+use crate::graph::{Graph, Id, Op};
+use crate::range::Range;
 use crate::tree::FoldKind;
-
-fn opposite(s: Sign) -> Sign {
-    match s {
-        Sign::Unknown => Sign::Unknown,
-        Sign::NonNegative => Sign::NonPositive,
-        Sign::NonPositive => Sign::NonNegative,
-    }
-}
-
-fn sign_of_product(a: Sign, b: Sign) -> Sign {
-    match (a, b) {
-        (Sign::Unknown, _) | (_, Sign::Unknown) => Sign::Unknown,
-        (a, b) if a == b => Sign::NonNegative,
-        _ => Sign::NonPositive,
-    }
-}
-
-fn sign_of_sum(a: Sign, b: Sign) -> Sign {
-    if a == b { a } else { Sign::Unknown }
-}
 
 impl Graph {
     /// −a
@@ -38,8 +19,8 @@ impl Graph {
 
     fn plain_negate(&mut self, a: Id) -> Id {
         let info = self.info(a);
-        let (degree, sign) = (info.degree, opposite(info.sign));
-        self.node(Op::Negate(a), degree, sign, false)
+        let (degree, range) = (info.degree, info.range.negated());
+        self.node(Op::Negate(a), degree, range)
     }
 
     /// a + b
@@ -62,8 +43,8 @@ impl Graph {
             }
             _ => {}
         }
-        let sign = sign_of_sum(self.info(a).sign, self.info(b).sign);
-        self.node(Op::Add(a, b), self.degree_of_sum(a, b), sign, false)
+        let range = self.range(a).plus(self.range(b));
+        self.node(Op::Add(a, b), self.degree_of_sum(a, b), range)
     }
 
     /// a − b
@@ -81,8 +62,8 @@ impl Graph {
             _ if a == b && self.info(a).total => return self.integer(0),
             _ => {}
         }
-        let sign = sign_of_sum(self.info(a).sign, opposite(self.info(b).sign));
-        self.node(Op::Subtract(a, b), self.degree_of_sum(a, b), sign, false)
+        let range = self.range(a).plus(self.range(b).negated());
+        self.node(Op::Subtract(a, b), self.degree_of_sum(a, b), range)
     }
 
     fn degree_of_sum(&self, a: Id, b: Id) -> Option<u32> {
@@ -133,9 +114,9 @@ impl Graph {
             _ if a == b => return self.power(a, 2),
             _ => {}
         }
-        let sign = sign_of_product(self.info(a).sign, self.info(b).sign);
+        let range = self.range(a).times(self.range(b));
         let degree = self.degree_of_product(a, b);
-        self.node(Op::Multiply(a, b), degree, sign, false)
+        self.node(Op::Multiply(a, b), degree, range)
     }
 
     fn literal_factor(&self, p: Id, q: Id) -> Option<(Rational, Id)> {
@@ -161,8 +142,8 @@ impl Graph {
             let inverse = self.reciprocal(b);
             return self.multiply(a, inverse);
         }
-        let sign = sign_of_product(self.info(a).sign, self.info(b).sign);
-        self.node(Op::Divide(a, b), None, sign, true)
+        let range = self.range(a).times(self.range(b).inverse());
+        self.node(Op::Divide(a, b), None, range)
     }
 
     /// 1/a
@@ -199,12 +180,8 @@ impl Graph {
         }
         let info = self.info(a);
         let degree = info.degree.and_then(|d| d.checked_mul(n));
-        let sign = if n.is_multiple_of(2) {
-            Sign::NonNegative
-        } else {
-            info.sign
-        };
-        self.node(Op::Power(a, n), degree, sign, false)
+        let range = info.range.power(n);
+        self.node(Op::Power(a, n), degree, range)
     }
 
     /// a^b for any b: whole exponents are powers or their reciprocals, halves go through the square root (the same
@@ -241,7 +218,7 @@ impl Graph {
 
     /// exp(b·ln a) on a > 0, and 0 for a = 0 < b.
     pub fn real_power(&mut self, a: Id, b: Id) -> Id {
-        self.node(Op::RealPower(a, b), None, Sign::NonNegative, true)
+        self.node(Op::RealPower(a, b), None, Range::NONNEGATIVE)
     }
 
     /// The number of an expression of literals. Simplified, it is one literal already.
@@ -275,10 +252,12 @@ impl Graph {
         } else {
             None
         };
-        let sign = match (kind, order) {
-            (FoldKind::Product, 0) if info.sign == Sign::NonPositive => Sign::Unknown,
-            (_, 0) => info.sign,
-            _ => Sign::Unknown,
+        let range = match (kind, order) {
+            // Extremes are values of a row; sums and products have any number of rows, or none.
+            (FoldKind::Minimum | FoldKind::Maximum, 0) => info.range,
+            (_, 0) if info.range.is_nonnegative() => Range::NONNEGATIVE,
+            (FoldKind::Sum, 0) if info.range.is_nonpositive() => Range::NONNEGATIVE.negated(),
+            _ => Range::LINE,
         };
         let op = Op::Fold(kind, fold, args);
         let (total, scope) = self.of_operands(&op);
@@ -288,7 +267,7 @@ impl Graph {
         let scope = crate::graph::Scope(scope.without(fold).0 | outer.0);
         self.intern(op, |_| crate::graph::Info {
             degree,
-            sign,
+            range,
             total,
             scope,
         })

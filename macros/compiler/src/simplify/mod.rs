@@ -7,7 +7,10 @@ mod choice;
 mod functions;
 
 use crate::exact::Rational;
-use crate::graph::{Graph, Id, Info, Op, Scope, Sign};
+use crate::functions::Function;
+use crate::graph::{Graph, Id, Info, Op, Scope};
+use crate::range::Range;
+use crate::tree::FoldKind;
 
 /// Literals larger than this stay operations of the surface stage.
 const LITERAL_BITS: u64 = 4096;
@@ -15,10 +18,10 @@ const LITERAL_BITS: u64 = 4096;
 impl Graph {
     /// An exact number.
     pub fn number(&mut self, r: Rational) -> Id {
-        let sign = crate::graph::sign_of(&r);
+        let range = Range::of(&r);
         self.intern(Op::Literal(r), |_| Info {
             degree: Some(0),
-            sign,
+            range,
             total: true,
             scope: Scope::default(),
         })
@@ -31,16 +34,16 @@ impl Graph {
 
     /// A node without operands that is neither a number nor a leaf.
     pub fn input(&mut self, op: Op) -> Id {
-        let (degree, sign, scope) = match op {
-            Op::Coordinate(_) => (Some(1), Sign::Unknown, Scope::default()),
-            Op::Pi => (Some(0), Sign::NonNegative, Scope::default()),
-            Op::Row(f, _) | Op::Counter(f) => (Some(0), Sign::Unknown, self.chain(f)),
-            Op::Field(_, ref indices) => (Some(0), Sign::Unknown, self.chain_of(indices)),
-            _ => (None, Sign::Unknown, Scope::default()),
+        let (degree, range, scope) = match op {
+            Op::Coordinate(_) => (Some(1), Range::LINE, Scope::default()),
+            Op::Pi => (Some(0), Range::new(3.0, 4.0), Scope::default()),
+            Op::Row(f, _) | Op::Counter(f) => (Some(0), Range::LINE, self.chain(f)),
+            Op::Field(_, ref indices) => (Some(0), Range::LINE, self.chain_of(indices)),
+            _ => (None, Range::LINE, Scope::default()),
         };
         self.intern(op, |_| Info {
             degree,
-            sign,
+            range,
             total: true,
             scope,
         })
@@ -72,7 +75,7 @@ impl Graph {
     }
 
     pub(crate) fn nonnegative(&self, id: Id) -> bool {
-        self.info(id).sign == Sign::NonNegative
+        self.range(id).is_nonnegative()
     }
 
     /// A number, if it is small enough to stay exact.
@@ -80,15 +83,56 @@ impl Graph {
         (r.bits() <= LITERAL_BITS).then(|| self.number(r))
     }
 
-    /// A node whose degree, sign and partiality the caller knows; totality and scope are those of the operands.
-    fn node(&mut self, op: Op, degree: Option<u32>, sign: Sign, partial: bool) -> Id {
+    /// Bounds of a node's value.
+    pub(crate) fn range(&self, id: Id) -> Range {
+        self.info(id).range
+    }
+
+    /// Is the operation defined, with all derivatives, wherever its operands are? What is not total may be where the
+    /// operands cannot leave its domain.
+    pub fn is_regular(&self, op: &Op) -> bool {
+        let range = |id: &Id| self.range(*id);
+        match op {
+            Op::Divide(_, b) => range(b).is_nonzero(),
+            Op::RealPower(a, _) => range(a).is_positive(),
+            Op::Unary(Function::Sqrt | Function::Ln | Function::Log2 | Function::Log10, a) => {
+                range(a).is_positive()
+            }
+            Op::Unary(Function::Cbrt | Function::Abs, a) => range(a).is_nonzero(),
+            Op::Unary(Function::Ln1p, a) => range(a).lo > -1.0,
+            Op::Unary(Function::Acosh, a) => range(a).lo > 1.0,
+            Op::Unary(Function::Asin | Function::Acos | Function::Atanh, a) => {
+                range(a).is_inside(-1.0, 1.0)
+            }
+            Op::Binary(Function::Atan2, _, b) => range(b).is_positive(),
+            Op::Binary(Function::Hypot, a, b) => range(a).is_nonzero() || range(b).is_nonzero(),
+            Op::Unary(f, _) | Op::Binary(f, ..) => f.entry().total && f.entry().smooth,
+            Op::Choose(..) | Op::AbsSlope(_) => false,
+            Op::Fold(kind, ..) => matches!(kind, FoldKind::Sum | FoldKind::Product),
+            _ => true,
+        }
+    }
+
+    /// Is the operation defined wherever its operands are?
+    fn is_defined(&self, op: &Op) -> bool {
+        match op {
+            Op::Unary(Function::Sqrt, a) => self.nonnegative(*a),
+            Op::Divide(..) | Op::RealPower(..) => self.is_regular(op),
+            Op::Unary(f, _) | Op::Binary(f, ..) => f.entry().total || self.is_regular(op),
+            _ => true,
+        }
+    }
+
+    /// A node whose degree and range the caller knows; totality and scope are those of the operands.
+    fn node(&mut self, op: Op, degree: Option<u32>, range: Range) -> Id {
         let (total, scope) = self.of_operands(&op);
+        let total = total && self.is_defined(&op);
         // What does not depend on the point is a value of the surface stage, whatever the operation is.
         let degree = if self.fixed(&op) { Some(0) } else { degree };
         self.intern(op, |_| Info {
             degree,
-            sign,
-            total: total && !partial,
+            range,
+            total,
             scope,
         })
     }

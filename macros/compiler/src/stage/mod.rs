@@ -7,7 +7,8 @@
 mod maximal;
 
 use crate::form::Form;
-use crate::graph::{Graph, Id, Info, Op, Scope, Sign, operands};
+use crate::graph::{Graph, Id, Info, Op, Scope, operands};
+use crate::range::Range;
 use maximal::Survey;
 use std::collections::HashMap;
 
@@ -178,13 +179,13 @@ fn leaf_node(graph: &mut Graph, leaves: &[Leaf], k: usize, order: u8) -> Id {
         return graph.integer(0);
     }
     let of = graph.info(leaf.node).clone();
-    let sign = if order == 0 { of.sign } else { Sign::Unknown };
+    let range = if order == 0 { of.range } else { Range::LINE };
     graph.leaf(
         k,
         order,
         Info {
             degree: None,
-            sign,
+            range,
             ..of
         },
     )
