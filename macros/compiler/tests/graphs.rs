@@ -61,10 +61,18 @@ fn describe(case: &Case) -> String {
         .iter()
         .map(|(label, id)| (label.as_str(), *id))
         .collect();
-    let jet = ["value", "slope", "curvature"];
-    let jet: Vec<(&str, Id)> = jet
-        .into_iter()
-        .zip(staged.jet.map(Option::unwrap))
+    let labelled = |ids: [Id; 3]| -> Vec<(&str, Id)> {
+        ["value", "slope", "curvature"]
+            .into_iter()
+            .zip(ids)
+            .collect()
+    };
+    let jet = labelled(staged.jet.map(Option::unwrap));
+    let polynomials: Vec<(String, Id)> = staged
+        .polynomials
+        .iter()
+        .enumerate()
+        .map(|(k, (id, degree))| (format!("polynomial {k} of degree {degree}"), *id))
         .collect();
     let count = |roots: &[(&str, Id)]| {
         let ids: Vec<Id> = roots.iter().map(|r| r.1).collect();
@@ -85,7 +93,21 @@ fn describe(case: &Case) -> String {
         graph.text(&leaves),
         count(&jet),
         graph.text(&jet),
-    )
+    ) + &match staged.over {
+        None => String::new(),
+        Some(over) => {
+            let over = labelled(over);
+            let nodes = polynomials
+                .iter()
+                .map(|(label, id)| format!("{label}: n{}\n", id.0));
+            format!(
+                "\nThe same over segments, from coefficients; operations: {}\n\n```text\n{}{}```\n",
+                count(&over),
+                nodes.collect::<String>(),
+                graph.text(&over),
+            )
+        }
+    }
 }
 
 #[test]
