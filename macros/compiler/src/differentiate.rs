@@ -195,10 +195,12 @@ impl Graph {
             // Its degree is higher than any order that is asked for.
             Op::Polynomial(k, order) => {
                 let info = self.info(id).clone();
+                let degree = info.degree.map(|d| d.saturating_sub(1));
                 self.polynomial(
                     k,
                     order + 1,
                     Info {
+                        degree,
                         range: Range::LINE,
                         ..info
                     },
@@ -299,11 +301,32 @@ impl Graph {
             }
             Op::Fold(kind, fold, args) => self.shares_of_fold(kind, fold, &args, adjoint),
             _ => {
-                let partials = self.partials(id);
-                partials
-                    .into_iter()
-                    .map(|(operand, p)| (operand, self.multiply(adjoint, p)))
-                    .collect()
+                let mut all = Vec::new();
+                for (operand, p) in self.partials(id) {
+                    let share = self.multiply(adjoint, p);
+                    match self.op(id) {
+                        Op::Unary(..) => self.through(operand, share, &mut all),
+                        _ => all.push((operand, share)),
+                    }
+                }
+                all
+            }
+        }
+    }
+
+    /// The shares below a function's operand. A polynomial hands its adjoint on to x, y and z at once: one product with
+    /// each of its own derivatives, where each of its operations would have one. What is inside a loop then has a sum for
+    /// each of them, and not for each power.
+    fn through(&mut self, operand: Id, share: Id, all: &mut Vec<(Id, Id)>) {
+        let degree = self.info(operand).degree;
+        if degree.is_none() || matches!(self.op(operand), Op::Coordinate(_)) {
+            all.push((operand, share));
+            return;
+        }
+        let axes = [0, 1, 2].map(|k| self.input(Op::Coordinate(k)));
+        for (axis, slope) in axes.into_iter().zip(self.gradient(operand, &axes)) {
+            if !self.is_zero(slope) {
+                all.push((axis, self.multiply(share, slope)));
             }
         }
     }

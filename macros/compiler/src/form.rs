@@ -47,7 +47,7 @@ impl Graph {
     pub fn shared_operations(&self, roots: &[Id], ready: impl Fn(Id) -> bool) -> u32 {
         let nodes = self.reachable(roots, &ready);
         let count = nodes.iter().filter(|id| !ready(**id));
-        count.map(|id| weight(self.op(*id))).sum()
+        count.map(|id| self.weight(*id)).sum()
     }
 
     /// Operations of the trees of `roots`: each use counts. Saturates.
@@ -57,11 +57,22 @@ impl Graph {
             let op = self.op(id);
             let below = operands(op);
             let below = below.iter().filter_map(|a| trees.get(a));
-            let tree = below.fold(weight(op), |sum, n| sum.saturating_add(*n));
+            let tree = below.fold(self.weight(id), |sum, n| sum.saturating_add(*n));
             trees.insert(id, tree);
         }
         let all = roots.iter().filter_map(|r| trees.get(r));
         all.fold(0, |sum: u32, n| sum.saturating_add(*n))
+    }
+
+    /// Interval operations of a node. A leaf along a ray is one, and a polynomial as many as its degree says, for that is
+    /// what it takes; the derivatives of products need several accumulators.
+    fn weight(&self, id: Id) -> u32 {
+        match self.op(id) {
+            Op::Leaf(..) => 1,
+            Op::Polynomial(..) => self.info(id).degree.unwrap_or(1),
+            Op::Fold(_, _, args) => 1 << args.len().saturating_sub(1).min(2),
+            op => u32::from(!operands(op).is_empty()),
+        }
     }
 
     /// A copy of the tree of `id` in which nothing but numbers is shared.
@@ -75,15 +86,6 @@ impl Graph {
         }
         let info = self.info(id).clone();
         self.push(op, info)
-    }
-}
-
-/// Interval operations of a node. A leaf along a ray is one; the derivatives of products need several accumulators.
-fn weight(op: &Op) -> u32 {
-    match op {
-        Op::Leaf(..) => 1,
-        Op::Fold(_, _, args) => 1 << args.len().saturating_sub(1).min(2),
-        op => u32::from(!operands(op).is_empty()),
     }
 }
 

@@ -23,7 +23,7 @@ use crate::tree::Formula;
 use layout::Layout;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
-use report::Counts;
+use report::{Counts, Facts};
 use stages::Compiled;
 
 /// The code of a formula without errors. `root` is the path of the runtime's crate.
@@ -34,13 +34,15 @@ pub fn surface(formula: &Formula, root: &TokenStream, form: Form) -> Result<Toke
         .unwrap_or_else(|| Ident::new("Implicit", Span::mixed_site()));
     let heads: Vec<FieldHead> = formula.fields.iter().map(FieldHead::from).collect();
     if formula.name.is_some() {
-        let implementation =
+        let (implementation, page) =
             implementation(formula, &name, root, form, &item::default(formula, &name))?;
-        let definition = definition(&formula.attributes, &formula.visibility, &name, &heads);
+        let mut attributes = formula.attributes.clone();
+        attributes.extend(page.lines().map(|line| quote!(#[doc = #line])));
+        let definition = definition(&attributes, &formula.visibility, &name, &heads);
         let setters = item::setters(&name, &heads);
         return Ok(quote!(#definition #implementation #setters));
     }
-    let implementation = implementation(formula, &name, root, form, &TokenStream::new())?;
+    let (implementation, _) = implementation(formula, &name, root, form, &TokenStream::new())?;
     let definition = definition(
         &quote!(#[derive(Clone, Debug)]),
         &TokenStream::new(),
@@ -64,18 +66,19 @@ pub fn placeholder(head: &Head, root: &TokenStream) -> TokenStream {
     let setters = item::setters(&head.name, &heads);
     let default = item::placeholder_default(head);
     let empty = Formula::coordinate(head.name.clone());
-    let implementation =
+    let (implementation, _) =
         implementation(&empty, &head.name, root, Form::Staged, &default).unwrap_or_default();
     quote!(#definition #implementation #setters)
 }
 
+/// The implementation of `Surface`, and a section of documentation.
 fn implementation(
     formula: &Formula,
     name: &Ident,
     root: &TokenStream,
     form: Form,
     default: &TokenStream,
-) -> Result<TokenStream, TooLarge> {
+) -> Result<(TokenStream, String), TooLarge> {
     let mut lowering = Lowering::new(formula);
     let value = lowering.root()?;
     let mut graph = lowering.graph;
@@ -98,8 +101,9 @@ fn implementation(
         partial,
     };
     let text = name.to_string();
-    let members = members(&compiled, &counts, formula, &text)?;
-    Ok(quote! {
+    let facts = Facts::new(&compiled, &counts);
+    let members = members(&compiled, &facts, formula, &text)?;
+    let code = quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         const _: () = {
             use #root::__private as __zeroset;
@@ -110,12 +114,13 @@ fn implementation(
             }
             #default
         };
-    })
+    };
+    Ok((code, facts.page()))
 }
 
 fn members(
     compiled: &Compiled,
-    counts: &Counts,
+    facts: &Facts,
     formula: &Formula,
     surface: &str,
 ) -> Result<TokenStream, TooLarge> {
@@ -132,7 +137,7 @@ fn members(
         compiled.segment("curvature", 3),
     ];
     let space = [compiled.space("gradient", 4), compiled.space("hessian", 10)];
-    let report = report::report(compiled, counts, surface);
+    let report = facts.constant(surface);
     let quadric = compiled.quadric();
     Ok(quote! {
         #report

@@ -1,7 +1,6 @@
 //! What the compiler knows about a formula, as the constant `REPORT`.
 
 use super::stages::Compiled;
-use super::text::count;
 use crate::form::Form;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Undecided};
@@ -45,6 +44,7 @@ fn first(all: &[Id], n: usize) -> &[Id] {
 }
 
 /// Operations of an entry point in its three forms.
+#[derive(Clone, Copy)]
 struct Operations([u32; 3]);
 
 impl ToTokens for Operations {
@@ -56,42 +56,119 @@ impl ToTokens for Operations {
     }
 }
 
-/// The constant.
-pub fn report(compiled: &Compiled, counts: &Counts, surface: &str) -> TokenStream {
-    let graph = compiled.graph;
-    let info = graph.info(compiled.root);
-    let degree = match info.degree {
-        Some(d) => quote!(__zeroset::Option::Some(#d)),
-        None => quote!(__zeroset::Option::None),
-    };
-    let nodes = graph.reachable(&[compiled.root], |_| false);
-    let continuity = format_ident!("{}", continuity(compiled, &nodes));
-    let total = info.total;
-    let functions = functions(compiled, &nodes);
-    let leaves = count(compiled.staged.leaves.len());
-    let polynomials = count(compiled.staged.polynomials.len());
-    let of_leaves: Vec<Id> = compiled.staged.leaves.iter().map(|l| l.node).collect();
-    let ray = graph.shared_operations(&of_leaves, |id| !graph.varies(id));
-    let written: Vec<Id> = compiled.staged.jet.iter().flatten().copied().collect();
-    let jet = compiled.staged.over.map_or(written, |jet| jet.to_vec());
-    let segment = operations(graph, &counts.segment, &jet, SEGMENT);
-    let space = operations(graph, &counts.space, compiled.space, SPACE);
-    let prepared: Vec<Id> = compiled.layout.surface_values().collect();
-    let at_surface = graph.shared_operations(&prepared, |_| false);
-    quote! {
-        const REPORT: __zeroset::Report = __zeroset::Report {
-            name: #surface,
-            degree: #degree,
-            continuity: __zeroset::Continuity::#continuity,
-            total: #total,
-            functions: &[#(#functions),*],
-            surface_operations: #at_surface,
-            leaves: #leaves,
-            polynomials: #polynomials,
-            ray_operations: #ray,
-            segment: [#(#segment),*],
-            space: [#(#space),*],
+/// What is known.
+pub struct Facts {
+    degree: Option<u32>,
+    continuity: &'static str,
+    total: bool,
+    functions: Vec<&'static str>,
+    leaves: u32,
+    polynomials: u32,
+    surface: u32,
+    ray: u32,
+    segment: Vec<Operations>,
+    space: Vec<Operations>,
+}
+
+impl Facts {
+    /// What is known of a compiled formula; `counts` has what its entry points would cost in other forms.
+    pub fn new(compiled: &Compiled, counts: &Counts) -> Facts {
+        let (graph, staged) = (compiled.graph, compiled.staged);
+        let info = graph.info(compiled.root);
+        let nodes = graph.reachable(&[compiled.root], |_| false);
+        let leaves = staged.leaves.iter().map(|l| l.node);
+        let of_ray: Vec<Id> = leaves
+            .chain(staged.polynomials.iter().map(|p| p.0))
+            .collect();
+        let written: Vec<Id> = staged.jet.iter().flatten().copied().collect();
+        let jet = staged.over.map_or(written, |jet| jet.to_vec());
+        let prepared: Vec<Id> = compiled.layout.surface_values().collect();
+        let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+        Facts {
+            degree: info.degree,
+            continuity: continuity(compiled, &nodes),
+            total: info.total,
+            functions: functions(compiled, &nodes),
+            leaves: number(staged.leaves.len()),
+            polynomials: number(staged.polynomials.len()),
+            surface: graph.shared_operations(&prepared, |_| false),
+            ray: graph.shared_operations(&of_ray, |id| !graph.varies(id)),
+            segment: operations(graph, &counts.segment, &jet, SEGMENT),
+            space: operations(graph, &counts.space, compiled.space, SPACE),
+        }
+    }
+
+    /// The constant `REPORT`.
+    pub fn constant(&self, surface: &str) -> TokenStream {
+        let degree = match self.degree {
+            Some(d) => quote!(__zeroset::Option::Some(#d)),
+            None => quote!(__zeroset::Option::None),
         };
+        let continuity = format_ident!("{}", self.continuity);
+        let Facts {
+            total,
+            functions,
+            leaves,
+            polynomials,
+            surface: at_surface,
+            ray,
+            segment,
+            space,
+            ..
+        } = self;
+        quote! {
+            const REPORT: __zeroset::Report = __zeroset::Report {
+                name: #surface,
+                degree: #degree,
+                continuity: __zeroset::Continuity::#continuity,
+                total: #total,
+                functions: &[#(#functions),*],
+                surface_operations: #at_surface,
+                leaves: #leaves,
+                polynomials: #polynomials,
+                ray_operations: #ray,
+                segment: [#(#segment),*],
+                space: [#(#space),*],
+            };
+        }
+    }
+
+    /// The same as a section of the surface's documentation.
+    pub fn page(&self) -> String {
+        let kind = match self.degree {
+            Some(d) => format!("A polynomial of degree {d}"),
+            None => "No polynomial".to_owned(),
+        };
+        let continuity = match self.continuity {
+            "Smooth" => "all derivatives exist",
+            "Continuous" => "continuous, with kinks",
+            _ => "it may jump",
+        };
+        let domain = if self.total {
+            "defined everywhere"
+        } else {
+            "not defined everywhere, or for all fields"
+        };
+        let entries = [
+            "`value` along a ray",
+            "`slope`",
+            "`curvature`",
+            "value in space",
+            "`gradient`",
+            "`hessian`",
+        ];
+        let rows = entries.iter().zip(self.segment.iter().chain(&self.space));
+        let rows: String = rows
+            .map(|(name, Operations([a, b, c]))| format!("| {name} | {a} | {b} | {c} |\n"))
+            .collect();
+        format!(
+            "\n# What is computed\n\n{kind}; {domain}; {continuity}.\n\n\
+             Interval operations per entry point, bodies of loops counted once:\n\n\
+             | | naive | shared | staged |\n|---|---|---|---|\n{rows}\n\
+             Before that, once per render: {}. Once per ray: {} on polynomials in t, for {} linear and quadratic leaves \
+             and {} polynomials of higher degree.\n",
+            self.surface, self.ray, self.leaves, self.polynomials
+        )
     }
 }
 

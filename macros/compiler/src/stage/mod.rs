@@ -112,7 +112,7 @@ impl Staged {
         let k = self.polynomials.len();
         self.polynomials.push((id, degree));
         let of = graph.info(id).clone();
-        graph.polynomial(k, 0, Info { degree: None, ..of })
+        graph.polynomial(k, 0, of)
     }
 
     /// A leaf that stands for the node.
