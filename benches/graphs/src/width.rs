@@ -5,6 +5,10 @@ use zeroset::ray::Rays;
 use zeroset::surface::Surface;
 
 use crate::entry::Random;
+use crate::surfaces::Forms;
+
+/// Segments of each width.
+const SEGMENTS: usize = 400;
 
 /// How wide enclosures over segments are.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +55,37 @@ pub fn widths<S: Surface>(surface: &S, half: f64, width: f64, count: usize) -> V
         });
     }
     all
+}
+
+/// Prints how wide f(T) and f'(T) are on the paper's family, in stages and plainly.
+pub fn print(surfaces: &[Forms]) {
+    for s in surfaces
+        .iter()
+        .filter(|s| s.name.contains("exponentials of"))
+    {
+        println!(
+            "{}: widths of enclosures over T, medians of {SEGMENTS} segments; a ray passes the cube in t from 0 to 1.\n",
+            s.name
+        );
+        println!(
+            "| T | f(T) plain | f(T) staged | quotient | f'(T) plain | f'(T) staged | quotient |"
+        );
+        println!("|---|---|---|---|---|---|---|");
+        for k in 0..=20 {
+            let width = (-f64::from(k)).exp2();
+            let both = [&s.forms[1], &s.forms[3]].map(|form| form.widths(s.half, width, SEGMENTS));
+            let cells = [|w: &Widths| w.value, |w: &Widths| w.slope].map(|of| {
+                let [plain, staged] = both
+                    .each_ref()
+                    .map(|all| median(all.iter().map(of).collect()));
+                let pairs = both[0].iter().zip(&both[1]);
+                let quotient = median(pairs.map(|(a, b)| of(a) / of(b)).collect());
+                format!("{plain:.2e} | {staged:.2e} | {quotient:.2}")
+            });
+            println!("| 2^-{k} | {} |", cells.join(" | "));
+        }
+        println!();
+    }
 }
 
 /// The median.

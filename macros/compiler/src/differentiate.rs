@@ -8,7 +8,7 @@ use crate::functions::Function;
 use crate::graph::{Graph, Id, Info, Op, Undecided, operands};
 use crate::range::Range;
 use crate::tree::FoldKind;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 impl Graph {
     /// The partial derivatives by the operands that vary. Choices and folds are not in this table: they are treated
@@ -272,6 +272,8 @@ impl Graph {
         enter: &dyn Fn(&Graph, Id) -> bool,
     ) -> BTreeMap<Id, Id> {
         let mut done: BTreeMap<Id, Id> = BTreeMap::new();
+        // Polynomials below what is none.
+        let mut maximal = HashSet::new();
         // The largest id first: every use of a node has a larger id, so its adjoint is complete when it is taken.
         while let Some((id, adjoint)) = pending.pop_last() {
             if operands(self.op(id)).is_empty() || !enter(self, id) {
@@ -280,7 +282,16 @@ impl Graph {
                 done.insert(id, sum);
                 continue;
             }
-            for (operand, share) in self.shares(id, adjoint) {
+            let shares = if maximal.contains(&id) {
+                self.through(id, adjoint)
+            } else {
+                self.shares(id, adjoint)
+            };
+            if self.info(id).degree.is_none() {
+                let operands = shares.iter().map(|s| s.0);
+                maximal.extend(operands.filter(|a| self.info(*a).degree.is_some()));
+            }
+            for (operand, share) in shares {
                 if self.varies(operand) && !self.is_zero(share) {
                     let sum = pending.get(&operand).copied();
                     let sum = sum.map_or(share, |s| self.add(s, share));
@@ -301,34 +312,26 @@ impl Graph {
             }
             Op::Fold(kind, fold, args) => self.shares_of_fold(kind, fold, &args, adjoint),
             _ => {
-                let mut all = Vec::new();
-                for (operand, p) in self.partials(id) {
-                    let share = self.multiply(adjoint, p);
-                    match self.op(id) {
-                        Op::Unary(..) => self.through(operand, share, &mut all),
-                        _ => all.push((operand, share)),
-                    }
-                }
-                all
+                let partials = self.partials(id);
+                partials
+                    .into_iter()
+                    .map(|(operand, p)| (operand, self.multiply(adjoint, p)))
+                    .collect()
             }
         }
     }
 
-    /// The shares below a function's operand. A polynomial hands its adjoint on to x, y and z at once: one product with
-    /// each of its own derivatives, where each of its operations would have one. What is inside a loop then has a sum for
-    /// each of them, and not for each power.
-    fn through(&mut self, operand: Id, share: Id, all: &mut Vec<(Id, Id)>) {
-        let degree = self.info(operand).degree;
-        if degree.is_none() || matches!(self.op(operand), Op::Coordinate(_)) {
-            all.push((operand, share));
-            return;
-        }
+    /// A polynomial below other operations hands its adjoint on to x, y and z at once: one product with each of its own
+    /// derivatives, where each of its operations would have one. What is inside a loop then has a sum for each of them, and
+    /// not for each power.
+    fn through(&mut self, polynomial: Id, adjoint: Id) -> Vec<(Id, Id)> {
         let axes = [0, 1, 2].map(|k| self.input(Op::Coordinate(k)));
-        for (axis, slope) in axes.into_iter().zip(self.gradient(operand, &axes)) {
-            if !self.is_zero(slope) {
-                all.push((axis, self.multiply(share, slope)));
-            }
-        }
+        let slopes = self.gradient(polynomial, &axes);
+        let all = axes.into_iter().zip(slopes);
+        all.filter_map(|(axis, slope)| {
+            (!self.is_zero(slope)).then(|| (axis, self.multiply(adjoint, slope)))
+        })
+        .collect()
     }
 
     fn split(&mut self, c: Id, a: Id, b: Id, adjoint: Id, undecided: Undecided) -> Vec<(Id, Id)> {
@@ -351,8 +354,7 @@ impl Graph {
     ) -> Vec<(Id, Id)> {
         let inner: Vec<BTreeMap<Id, Id>> =
             args.iter().map(|a| self.row_gradient(fold, *a)).collect();
-        let outside: std::collections::BTreeSet<Id> =
-            inner.iter().flat_map(|m| m.keys().copied()).collect();
+        let outside: BTreeSet<Id> = inner.iter().flat_map(|m| m.keys().copied()).collect();
         let zero = self.integer(0);
         let mut all = Vec::new();
         for node in outside {
