@@ -2,7 +2,7 @@
 
 mod surface;
 
-pub(crate) use surface::{Prepared, Trace};
+pub(crate) use surface::{Prepared, TileJob, Trace};
 
 use crate::contract::{Auto, Contractor};
 use crate::surface::{ParameterError, Surface};

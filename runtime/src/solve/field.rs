@@ -49,7 +49,9 @@ pub struct Evaluations {
     pub gradient: u64,
     /// Rays decided by the discriminant of a quadric, without a search.
     pub closed: u64,
-    /// Evaluations of all kinds, each counted once per packet of eight.
+    /// Enclosures over beams, each counted once per packet of eight.
+    pub beams: u64,
+    /// Evaluations of all other kinds, each counted once per packet of eight.
     pub packets: u64,
 }
 
@@ -74,6 +76,7 @@ impl Evaluations {
         self.fine += other.fine;
         self.gradient += other.gradient;
         self.closed += other.closed;
+        self.beams += other.beams;
         self.packets += other.packets;
     }
 }

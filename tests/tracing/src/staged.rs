@@ -1,6 +1,6 @@
 //! Two surfaces as the compiler would write them: leaves along the ray, and little per segment.
 
-use zeroset::interval::{Arithmetic, Interval, Jet, Packet, Parameter, Quadratic};
+use zeroset::interval::{Arithmetic, Interval, Jet, Leaves, Packet, Parameter, Quadratic, Rebind};
 use zeroset::ray::Rays;
 use zeroset::surface::{Active, Continuity, Operations, ParameterError, Report, Surface};
 
@@ -78,7 +78,7 @@ impl Surface for Blobs {
         space: [Operations::NONE; 3],
     };
     type Prepared = Blobs;
-    type Bound<P: Packet> = Vec<Quadratic<P>>;
+    type Bound<L: Leaves> = Vec<L::Quadratic>;
 
     #[inline(always)]
     fn check(&self) -> Result<(), ParameterError> {
@@ -110,7 +110,7 @@ impl Surface for Blobs {
     ) {
     }
     #[inline(always)]
-    fn unbound<P: Packet>(_p: P) -> Vec<Quadratic<P>> {
+    fn unbound<L: Leaves>(_p: L::Packet) -> Vec<L::Quadratic> {
         Vec::new()
     }
     #[inline(always)]
@@ -127,10 +127,21 @@ impl Surface for Blobs {
         }
     }
     #[inline(always)]
+    fn rebind<R: Rebind>(
+        map: &R,
+        from: &Vec<<R::From as Leaves>::Quadratic>,
+        _active: &Active,
+        to: &mut Vec<<R::To as Leaves>::Quadratic>,
+    ) -> bool {
+        to.clear();
+        to.extend(from.iter().map(|leaf| map.quadratic(leaf)));
+        true
+    }
+    #[inline(always)]
     fn value<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Blobs,
-        bound: &Vec<Quadratic<A::Packet>>,
+        bound: &Vec<<T::Leaves as Leaves>::Quadratic>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 1> {
         let mut f = a.constant(&Interval::point(-prepared.level));
@@ -146,7 +157,7 @@ impl Surface for Blobs {
     fn slope<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Blobs,
-        bound: &Vec<Quadratic<A::Packet>>,
+        bound: &Vec<<T::Leaves as Leaves>::Quadratic>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 2> {
         let mut f = a.constant(&Interval::point(-prepared.level));
@@ -165,7 +176,7 @@ impl Surface for Blobs {
     fn curvature<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Blobs,
-        bound: &Vec<Quadratic<A::Packet>>,
+        bound: &Vec<<T::Leaves as Leaves>::Quadratic>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 3> {
         let mut f = a.constant(&Interval::point(-prepared.level));
@@ -250,7 +261,7 @@ impl Surface for Ball {
         space: [Operations::NONE; 3],
     };
     type Prepared = Interval;
-    type Bound<P: Packet> = Quadratic<P>;
+    type Bound<L: Leaves> = L::Quadratic;
 
     #[inline(always)]
     fn check(&self) -> Result<(), ParameterError> {
@@ -283,8 +294,8 @@ impl Surface for Ball {
     ) {
     }
     #[inline(always)]
-    fn unbound<P: Packet>(p: P) -> Quadratic<P> {
-        Quadratic::zero(p)
+    fn unbound<L: Leaves>(p: L::Packet) -> L::Quadratic {
+        L::quadratic(p)
     }
     #[inline(always)]
     fn bind<P: Packet>(
@@ -298,10 +309,20 @@ impl Surface for Ball {
         *bound = Quadratic::new(p, p.sub(leaf.c0, p.constant(prepared)), leaf.c1, leaf.c2);
     }
     #[inline(always)]
+    fn rebind<R: Rebind>(
+        map: &R,
+        from: &<R::From as Leaves>::Quadratic,
+        _active: &Active,
+        to: &mut <R::To as Leaves>::Quadratic,
+    ) -> bool {
+        *to = map.quadratic(from);
+        true
+    }
+    #[inline(always)]
     fn value<A: Arithmetic, T: Parameter<A>>(
         a: A,
         _prepared: &Interval,
-        bound: &Quadratic<A::Packet>,
+        bound: &<T::Leaves as Leaves>::Quadratic,
         t: T,
     ) -> Jet<A::Value, A::Packet, 1> {
         Jet {
@@ -313,7 +334,7 @@ impl Surface for Ball {
     fn slope<A: Arithmetic, T: Parameter<A>>(
         a: A,
         _prepared: &Interval,
-        bound: &Quadratic<A::Packet>,
+        bound: &<T::Leaves as Leaves>::Quadratic,
         t: T,
     ) -> Jet<A::Value, A::Packet, 2> {
         Jet {
@@ -325,7 +346,7 @@ impl Surface for Ball {
     fn curvature<A: Arithmetic, T: Parameter<A>>(
         a: A,
         _prepared: &Interval,
-        bound: &Quadratic<A::Packet>,
+        bound: &<T::Leaves as Leaves>::Quadratic,
         t: T,
     ) -> Jet<A::Value, A::Packet, 3> {
         let d = [

@@ -5,6 +5,7 @@ mod enclosure;
 mod item;
 mod layout;
 mod polynomial;
+mod rebind;
 mod report;
 mod rows;
 mod scalar;
@@ -131,6 +132,7 @@ fn members(
     let check = item::check(compiled.graph, compiled.root, surface, &formula.fields);
     let (domain, at) = (item::domain(formula)?, scalar::at(formula));
     let (prepare, everything, bind) = (compiled.prepare(), compiled.everything(), compiled.bind());
+    let rebind = rebind::rebind(compiled);
     let segment = [
         compiled.segment("value", 1),
         compiled.segment("slope", 2),
@@ -142,13 +144,14 @@ fn members(
     Ok(quote! {
         #report
         type Prepared = #prepared;
-        type Bound<P: __zeroset::Packet> = #bound;
+        type Bound<L: __zeroset::Leaves> = #bound;
         #check
         #domain
         #at
         #prepare
         #everything
         #bind
+        #rebind
         #(#segment)*
         #(#space)*
         #quadric

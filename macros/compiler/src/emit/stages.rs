@@ -137,14 +137,14 @@ impl Compiled<'_> {
             .map(|_| quote!(__zeroset::Vec::new()));
         let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k));
         let lengths = self.layout.coefficients();
-        let room = quote!((#(__zeroset::Polynomial::<P, #lengths>::zero(p),)*));
+        let room = quote!((#(L::polynomial::<#lengths>(p),)*));
         let polynomials = self.bind_polynomials();
         quote! {
             #[inline(always)]
-            fn unbound<P: __zeroset::Packet>(p: P) -> Self::Bound<P> {
+            fn unbound<L: __zeroset::Leaves>(p: L::Packet) -> Self::Bound<L> {
                 (
-                    [__zeroset::Linear::zero(p); #linear],
-                    [__zeroset::Quadratic::zero(p); #quadratic],
+                    [L::linear(p); #linear],
+                    [L::quadratic(p); #quadratic],
                     __zeroset::vec![__zeroset::Vec::new(); #lists],
                     #(#new,)*
                     #room,
@@ -324,7 +324,7 @@ impl Compiled<'_> {
             fn #name<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
                 a: A,
                 prepared: &Self::Prepared,
-                bound: &Self::Bound<A::Packet>,
+                bound: &Self::Bound<T::Leaves>,
                 t: T,
             ) -> __zeroset::Jet<A::Value, A::Packet, #n> {
                 #over
