@@ -4,7 +4,7 @@ use crate::exact::Rational;
 use crate::functions::Function;
 use crate::range::Range;
 use crate::tree::{FoldKind, Index};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
 
 /// A node. Operands have smaller ids than the nodes that use them.
@@ -142,6 +142,8 @@ pub struct Graph {
     info: Vec<Info>,
     known: HashMap<Op, Id>,
     as_written: bool,
+    /// How often each of [`RULES`](crate::simplify::RULES) was applied.
+    pub applied: BTreeMap<&'static str, usize>,
     /// All folds, outer before inner.
     pub folds: Vec<Fold>,
 }

@@ -24,7 +24,7 @@ pub mod parse;
 pub mod range;
 pub mod rational;
 pub mod resolve;
-mod simplify;
+pub mod simplify;
 pub mod stage;
 pub mod tree;
 

@@ -143,10 +143,10 @@ fn negative_control_polynomials_without_rounding_are_missed() {
     }
 }
 
-/// (t − 1)³ − t over [0, 2]: the Bernstein coefficients are −1, 1/3, −5/3 and −1, and those of f' 2, −4 and 2.
+/// (t − 1)³ − t over [0, 2]: the Bernstein coefficients are −1, 1/3, −7/3 and −1, and those of f' 2, −4 and 2.
 #[test]
 fn the_hull_is_that_of_the_bernstein_coefficients() {
-    let expected = [(-5.0 / 3.0, 1.0 / 3.0), (-4.0, 2.0), (-6.0, 6.0)];
+    let expected = [(-7.0 / 3.0, 1.0 / 3.0), (-4.0, 2.0), (-6.0, 6.0)];
     for isa in Isa::available() {
         let c = [-1.0, -1.0, 0.0, 1.0];
         let given = Given {

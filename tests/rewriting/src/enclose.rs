@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 use zeroset::interval::{Arithmetic, Flags, Interval, Scalar, Truth, Undecided};
 use zeroset_compiler::exact::Rational;
 use zeroset_compiler::functions::Function;
-use zeroset_compiler::graph::{self, Graph, Id, Op, operands};
+use zeroset_compiler::graph::{Graph, Id, Op, operands};
 
 type Marks = Flags<Scalar>;
 

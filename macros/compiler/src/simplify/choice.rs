@@ -12,7 +12,8 @@ impl Graph {
     /// The derivative of |a|.
     pub fn abs_slope(&mut self, a: Id) -> Id {
         if self.rewrites() && self.range(a).is_positive() && self.info(a).total {
-            return self.integer(1);
+            let id = self.integer(1);
+            return self.by("slope of |a| decided", id);
         }
         self.node(Op::AbsSlope(a), None, Range::new(-1.0, 1.0))
     }
@@ -21,11 +22,11 @@ impl Graph {
     pub fn choose(&mut self, condition: Id, yes: Id, no: Id, undecided: Undecided) -> Id {
         if self.rewrites() && self.info(condition).total {
             if yes == no {
-                return yes;
+                return self.by("c ? a : a = a", yes);
             }
             match self.decided(condition) {
-                Some(true) => return yes,
-                Some(false) => return no,
+                Some(true) => return self.by("choice decided", yes),
+                Some(false) => return self.by("choice decided", no),
                 None => {}
             }
         }

@@ -11,17 +11,22 @@ impl Graph {
             && self.rewrites()
             && let Some(value) = exact_value(f, &r)
         {
-            return self.number(value);
+            let id = self.number(value);
+            return self.by("f(literal)", id);
         }
         let range = self.range(a);
         match (f, self.op(a).clone()) {
             // No operation of its own.
             (Function::Recip, _) => return self.reciprocal(a),
             _ if !self.rewrites() => {}
-            (Function::Abs, _) if range.is_nonnegative() => return a,
-            (Function::Abs, _) if range.is_nonpositive() => return self.negate(a),
+            (Function::Abs, _) if range.is_nonnegative() => return self.by("|a| = a", a),
+            (Function::Abs, _) if range.is_nonpositive() => {
+                let id = self.negate(a);
+                return self.by("|a| = -a", id);
+            }
             (Function::Abs | Function::Cos | Function::Cosh, Op::Negate(b)) => {
-                return self.unary(f, b);
+                let id = self.unary(f, b);
+                return self.by("f(-a) = f(a)", id);
             }
             // Odd functions: the sign moves outward.
             (
@@ -37,7 +42,8 @@ impl Graph {
                 Op::Negate(b),
             ) => {
                 let value = self.unary(f, b);
-                return self.negate(value);
+                let id = self.negate(value);
+                return self.by("f(-a) = -f(a)", id);
             }
             _ => {}
         }
@@ -50,7 +56,7 @@ impl Graph {
             && matches!(f, Function::Min | Function::Max)
             && let Some(known) = self.extreme(f == Function::Min, a, b)
         {
-            return known;
+            return self.by("min, max decided", known);
         }
         let range = self.range(a).mapped_with(f, self.range(b));
         self.node(Op::Binary(f, a, b), None, range)

@@ -15,7 +15,53 @@ use crate::tree::FoldKind;
 /// Literals larger than this stay operations of the surface stage.
 const LITERAL_BITS: u64 = 4096;
 
+/// The identities that constructors apply, by name: one with the same real value on the same domain each. `c` and `d` are
+/// literals, `s` a value of the surface stage, and f is even, or odd.
+pub const RULES: &[&str] = &[
+    "literals",
+    "--a = a",
+    "-(a - b) = b - a",
+    "0 + a = a",
+    "a + -b = a - b",
+    "a + a = 2a",
+    "0 - a = -a",
+    "a - 0 = a",
+    "a - -b = a + b",
+    "a - a = 0",
+    "0a = 0",
+    "1a = a",
+    "-1a = -a",
+    "(-a)(-b) = ab",
+    "c(-a) = (-c)a",
+    "(-a)b = -(ab)",
+    "c(da) = (cd)a",
+    "aa = a^2",
+    "a/c = (1/c)a",
+    "a/s = a(1/s)",
+    "a^1 = a",
+    "a^0 = 1",
+    "(-a)^2n = a^2n",
+    "|a|^2n = a^2n",
+    "(a^m)^n = a^mn",
+    "sum of 0 = 0",
+    "f(literal)",
+    "|a| = a",
+    "|a| = -a",
+    "f(-a) = f(a)",
+    "f(-a) = -f(a)",
+    "min, max decided",
+    "c ? a : a = a",
+    "choice decided",
+    "slope of |a| decided",
+];
+
 impl Graph {
+    /// Notes that a rule was applied, which gave `id`.
+    fn by(&mut self, rule: &'static str, id: Id) -> Id {
+        *self.applied.entry(rule).or_default() += 1;
+        id
+    }
+
     /// An exact number.
     pub fn number(&mut self, r: Rational) -> Id {
         let range = Range::of(&r);
