@@ -114,3 +114,18 @@ fn describe(case: &Case) -> String {
 fn before_and_after() {
     support::check("graphs.md", describe);
 }
+
+/// What the page on differentiation shows is what is made of the small formula.
+#[test]
+fn the_page_shows_what_is_made() {
+    let page = include_str!("../../../docs/how-differentiation-works.md");
+    let fixture = include_str!("fixtures/graphs.md");
+    let small = fixture.split("\n## ").nth(1).unwrap();
+    assert!(small.starts_with("a_small_one"));
+    let shown: Vec<&str> = page.split("```text\n").skip(1).collect();
+    assert_eq!(shown.len(), 3);
+    for block in shown {
+        let block = block.split("```").next().unwrap();
+        assert!(small.contains(block), "not in the fixture:\n{block}");
+    }
+}
