@@ -9,12 +9,8 @@ impl Graph {
         self.node(op, None, Range::LINE)
     }
 
-    /// The derivative of |a|.
+    /// The derivative of |a|. Where the sign of a is known, |a| is no operation.
     pub fn abs_slope(&mut self, a: Id) -> Id {
-        if self.rewrites() && self.range(a).is_positive() && self.info(a).total {
-            let id = self.integer(1);
-            return self.by("slope of |a| decided", id);
-        }
         self.node(Op::AbsSlope(a), None, Range::new(-1.0, 1.0))
     }
 

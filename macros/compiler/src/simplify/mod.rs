@@ -52,7 +52,6 @@ pub const RULES: &[&str] = &[
     "min, max decided",
     "c ? a : a = a",
     "choice decided",
-    "slope of |a| decided",
 ];
 
 impl Graph {
