@@ -370,24 +370,26 @@ fn kinks_have_the_hull_of_both_sides() {
         "{:?}",
         at.space
     );
-    // On the first border: x = 2y.
+    // At a point on the first border, x = 2y, one side is taken; over a box around it there is the hull.
     let at = piece(Corner, [2.0, 1.0, 0.0], 0.0);
+    assert!(spans(at.space[1], 0.0, 0.0) && spans(at.space[2], 3.0, 3.0));
+    let at = piece(Corner, [2.0, 1.0, 0.0], 0.125);
+    assert!(at.kink && !at.jump && !at.undefined);
     assert!(
         spans(at.space[1], 0.0, 1.0) && spans(at.space[2], 1.0, 3.0),
         "{:?}",
         at.space
     );
+    // Around (½, ¼, ¼) all three are open, and the slope of x² is 2x.
+    let at = piece(Corner, [0.5, 0.25, 0.25], 0.125);
     assert!(at.kink && !at.jump && !at.undefined);
-    // On all three: y = z, x² = z, x = 2y would need x = ½: take x = ½, y = z = ¼.
-    let at = piece(Corner, [0.5, 0.25, 0.25], 0.0);
-    assert!(at.kink && !at.jump);
-    assert!(spans(at.space[1], 0.0, 2.0), "{:?}", at.space);
+    assert!(spans(at.space[1], 0.0, 2.25), "{:?}", at.space);
     assert!(
         spans(at.space[2], -1.0, 3.0) && spans(at.space[3], -1.0, 2.0),
         "{:?}",
         at.space
     );
-    assert!(spans(at.slope, 0.0, 2.0), "{:?}", at.slope);
+    assert!(spans(at.slope, 0.0, 2.25), "{:?}", at.slope);
 }
 
 #[test]

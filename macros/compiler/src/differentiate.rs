@@ -252,17 +252,12 @@ impl Graph {
         }
     }
 
-    /// All partial derivatives of `root` by `variables`, by one sweep from the root down.
-    pub fn gradient(&mut self, root: Id, variables: &[Id]) -> Vec<Id> {
-        let one = self.integer(1);
-        let mut adjoints = BTreeMap::new();
-        adjoints.insert(root, one);
-        let found = self.sweep(adjoints, &|_, _| true);
-        let zero = self.integer(0);
-        variables
-            .iter()
-            .map(|v| found.get(v).copied().unwrap_or(zero))
-            .collect()
+    /// The derivatives of `root` by x, y and z, by one sweep from the root down.
+    pub fn gradient(&mut self, root: Id) -> [Id; 3] {
+        if !self.varies(root) {
+            return [self.integer(0); 3];
+        }
+        self.slopes(root).1
     }
 
     /// Pushes adjoints down to the nodes that `enter` refuses and to those without operands; returns their adjoints.
@@ -325,8 +320,7 @@ impl Graph {
     /// derivatives, where each of its operations would have one. What is inside a loop then has a sum for each of them, and
     /// not for each power.
     fn through(&mut self, polynomial: Id, adjoint: Id) -> Vec<(Id, Id)> {
-        let axes = [0, 1, 2].map(|k| self.input(Op::Coordinate(k)));
-        let slopes = self.gradient(polynomial, &axes);
+        let (axes, slopes) = self.slopes(polynomial);
         let all = axes.into_iter().zip(slopes);
         all.filter_map(|(axis, slope)| {
             (!self.is_zero(slope)).then(|| (axis, self.multiply(adjoint, slope)))
@@ -334,13 +328,33 @@ impl Graph {
         .collect()
     }
 
+    /// A choice hands on the choice of both sides' derivatives: where it is open, that is their hull. (Were each side given
+    /// the adjoint under the same condition, an open one would add up two intervals that hold 0.)
     fn split(&mut self, c: Id, a: Id, b: Id, adjoint: Id, undecided: Undecided) -> Vec<(Id, Id)> {
+        let (axes, yes) = self.slopes(a);
+        let (_, no) = self.slopes(b);
+        let mut all = Vec::new();
+        for (axis, (yes, no)) in axes.into_iter().zip(yes.into_iter().zip(no)) {
+            if !(self.is_zero(yes) && self.is_zero(no)) {
+                let slope = self.choose(c, yes, no, undecided);
+                all.push((axis, self.multiply(adjoint, slope)));
+            }
+        }
+        all
+    }
+
+    /// x, y and z, and a node's derivatives by them.
+    fn slopes(&mut self, id: Id) -> ([Id; 3], [Id; 3]) {
+        let axes = [0, 1, 2].map(|k| self.input(Op::Coordinate(k)));
+        if let Some(&known) = self.slopes.get(&id) {
+            return (axes, known);
+        }
+        let one = self.integer(1);
         let zero = self.integer(0);
-        let (to_a, to_b) = (
-            self.choose(c, adjoint, zero, undecided),
-            self.choose(c, zero, adjoint, undecided),
-        );
-        vec![(a, to_a), (b, to_b)]
+        let found = self.sweep(BTreeMap::from([(id, one)]), &|_, _| true);
+        let slopes = axes.map(|axis| found.get(&axis).copied().unwrap_or(zero));
+        self.slopes.insert(id, slopes);
+        (axes, slopes)
     }
 
     /// A sweep inside the loop gives each row's derivatives by the nodes outside; a fold of those, times the adjoint,

@@ -141,6 +141,8 @@ pub struct Graph {
     ops: Vec<Op>,
     info: Vec<Info>,
     known: HashMap<Op, Id>,
+    /// Derivatives by x, y and z that were asked for.
+    pub(crate) slopes: HashMap<Id, [Id; 3]>,
     as_written: bool,
     /// How often each of [`RULES`](crate::simplify::RULES) was applied.
     pub applied: BTreeMap<&'static str, usize>,

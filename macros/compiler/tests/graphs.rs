@@ -7,7 +7,7 @@ mod support;
 
 use support::Case;
 use zeroset_compiler::front::front;
-use zeroset_compiler::graph::{Graph, Id, Op};
+use zeroset_compiler::graph::{Graph, Id};
 use zeroset_compiler::lower::Lowering;
 use zeroset_compiler::stage::Staged;
 use zeroset_compiler::tree::Formula;
@@ -34,8 +34,7 @@ fn describe(case: &Case) -> String {
     let formula = formula(&case.source);
     let (plain, written) = lowered(&formula, Graph::as_written());
     let (mut graph, root) = lowered(&formula, Graph::default());
-    let axes = [0, 1, 2].map(|axis| graph.input(Op::Coordinate(axis)));
-    let gradient = graph.gradient(root, &axes);
+    let gradient = graph.gradient(root);
     let space = [
         ("f", root),
         ("df/dx", gradient[0]),

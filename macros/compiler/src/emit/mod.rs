@@ -17,7 +17,7 @@ pub use item::{FieldHead, definition};
 
 use crate::form::Form;
 use crate::front::Head;
-use crate::graph::{Graph, Id, Op};
+use crate::graph::{Graph, Id};
 use crate::lower::{Lowering, TooLarge};
 use crate::stage::Staged;
 use crate::tree::Formula;
@@ -160,13 +160,11 @@ fn members(
 
 /// f, its gradient, and the upper triangle of its Hessian, by rows.
 fn derivatives(graph: &mut Graph, value: Id) -> Vec<Id> {
-    let axes: Vec<Id> = (0..3).map(|k| graph.input(Op::Coordinate(k))).collect();
-    let gradient = graph.gradient(value, &axes);
+    let gradient = graph.gradient(value);
     let mut all = vec![value];
     all.extend(&gradient);
     for (k, row) in gradient.iter().enumerate() {
-        let second = graph.gradient(*row, &axes);
-        all.extend(second.iter().skip(k));
+        all.extend(graph.gradient(*row).into_iter().skip(k));
     }
     all
 }
