@@ -11,6 +11,8 @@ mod group;
 mod hint;
 mod leaf;
 mod survey;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use frame::{Frame, View};
 pub(crate) use group::{Grid, Group};

@@ -15,7 +15,7 @@ pub struct Pixel {
     pub surface: Option<usize>,
     /// The unit normal there, towards the viewer, in plain floats; nothing where the gradient is 0 or was not asked for.
     pub normal: Option<[f32; 3]>,
-    /// The root shown overlaps one of another surface: which comes first is open.
+    /// The root shown overlaps what is or may be one of another surface: which comes first is open.
     pub tied: bool,
 }
 

@@ -49,6 +49,8 @@ pub struct Evaluations {
     pub gradient: u64,
     /// Rays decided by the discriminant of a quadric, without a search.
     pub closed: u64,
+    /// Rays whose only root a beam had separated: they are not searched.
+    pub single: u64,
     /// Enclosures over beams, each counted once per packet of eight.
     pub beams: u64,
     /// Evaluations of all other kinds, each counted once per packet of eight.
@@ -56,7 +58,7 @@ pub struct Evaluations {
 }
 
 impl Evaluations {
-    /// All kinds of evaluations together; closed forms are none.
+    /// All kinds of evaluations together; closed forms and what beams settle are none.
     pub fn total(&self) -> u64 {
         self.value
             + self.slope
@@ -76,6 +78,7 @@ impl Evaluations {
         self.fine += other.fine;
         self.gradient += other.gradient;
         self.closed += other.closed;
+        self.single += other.single;
         self.beams += other.beams;
         self.packets += other.packets;
     }
