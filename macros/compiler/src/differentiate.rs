@@ -350,8 +350,8 @@ impl Graph {
             return (axes, known);
         }
         let one = self.integer(1);
-        let zero = self.integer(0);
         let found = self.sweep(BTreeMap::from([(id, one)]), &|_, _| true);
+        let zero = self.integer(0);
         let slopes = axes.map(|axis| found.get(&axis).copied().unwrap_or(zero));
         self.slopes.insert(id, slopes);
         (axes, slopes)
