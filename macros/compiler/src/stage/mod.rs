@@ -161,11 +161,19 @@ const MOST: u32 = 12;
 
 /// Is the polynomial cheaper from its coefficients than as written? What is written costs a leaf or an operation per
 /// node, and coefficients a little less per degree, as `benches/graphs` measures for each surface of the zoo. What is
-/// written in so few operations is also as narrow, or narrower: the power of a leaf.
+/// written in fewer operations, such as the power of a leaf, is also as narrow, or narrower. Constants that scale and shift
+/// do not count: a leaf takes them in.
 fn pays(graph: &Graph, id: Id, degree: u32) -> bool {
     let low = |id: Id| graph.info(id).degree.is_some_and(|d| d <= 2);
+    let counts = |id: &Id| {
+        let varying = operands(graph.op(*id))
+            .into_iter()
+            .filter(|a| graph.varies(*a));
+        graph.varies(*id)
+            && (low(*id) || matches!(graph.op(*id), Op::Power(..)) || varying.count() > 1)
+    };
     let nodes = graph.reachable(&[id], low);
-    let written = nodes.iter().filter(|id| graph.varies(**id)).count();
+    let written = nodes.iter().filter(|id| counts(id)).count();
     degree <= MOST && graph.info(id).scope == Scope::default() && written >= degree as usize
 }
 
