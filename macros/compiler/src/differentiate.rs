@@ -321,11 +321,13 @@ impl Graph {
     /// not for each power.
     fn through(&mut self, polynomial: Id, adjoint: Id) -> Vec<(Id, Id)> {
         let (axes, slopes) = self.slopes(polynomial);
-        let all = axes.into_iter().zip(slopes);
-        all.filter_map(|(axis, slope)| {
-            (!self.is_zero(slope)).then(|| (axis, self.multiply(adjoint, slope)))
-        })
-        .collect()
+        let mut all = Vec::new();
+        for (axis, slope) in axes.into_iter().zip(slopes) {
+            if !self.is_zero(slope) {
+                all.push((axis, self.multiply(adjoint, slope)));
+            }
+        }
+        all
     }
 
     /// A choice hands on the choice of both sides' derivatives: where it is open, that is their hull. (Were each side given

@@ -14,8 +14,8 @@ pub struct Range {
     pub hi: f64,
 }
 
-/// A little more than π and π/2.
-const PI: f64 = 3.1416;
+/// A little more than π.
+const PI: f64 = std::f64::consts::PI.next_up();
 
 impl Range {
     /// Nothing is known.
