@@ -14,6 +14,8 @@ pub(crate) struct Grid {
 #[derive(Clone, Copy)]
 pub(crate) struct Group<'a, P: Packet> {
     frame: &'a Frame,
+    /// The middles of the beams, in pixels to the right and up from the middle of the picture.
+    pub pixels: [P::F; 2],
     /// The middles of the beams on the picture plane, and half their sizes.
     middle: [P::F; 2],
     half: [P::F; 2],
@@ -33,7 +35,8 @@ impl<'a, P: Packet> Group<'a, P> {
         }
         // Pixels are exact numbers here; the size of a pixel times one is rounded, and so is the middle.
         let pixel = p.splat(frame.pixel);
-        let middle = [p.mul_rn(p.lanes(x), pixel), p.mul_rn(p.lanes(y), pixel)];
+        let pixels = [p.lanes(x), p.lanes(y)];
+        let middle = pixels.map(|x| p.mul_rn(x, pixel));
         let mut half = middle;
         for (k, size) in [width, height].into_iter().enumerate() {
             let round = p.mul_ru(p.abs_f(middle[k]), p.splat(f64::EPSILON));
@@ -41,6 +44,7 @@ impl<'a, P: Packet> Group<'a, P> {
         }
         Group {
             frame,
+            pixels,
             middle,
             half,
         }
@@ -138,6 +142,17 @@ impl<'a, P: Packet> Group<'a, P> {
             reach(p, high, p.sub_ru(grows, d.lo), &mut span);
         }
         span
+    }
+
+    /// The size of a pixel in x and y at t.
+    #[inline(always)]
+    pub fn pixel(&self, p: P, t: P::F) -> P::F {
+        let pixel = p.splat(self.frame.pixel);
+        if self.frame.perspective {
+            p.mul_rn(pixel, p.add_rn(p.splat(self.frame.near), t))
+        } else {
+            pixel
+        }
     }
 
     /// See [`Frame`].

@@ -19,6 +19,9 @@ pub(crate) struct Single {
     pub t: [f64; 2],
     /// Bounds of the derivative along the rays there; 0 is outside.
     pub slope: [f64; 2],
+    /// Where the roots may be, without any guarantee: this, plus this per pixel to the right, plus this per pixel up,
+    /// counted from the middle of the picture.
+    pub plane: [f64; 3],
 }
 
 impl Hint {

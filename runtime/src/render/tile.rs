@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use crate::beam::Grid;
-use crate::camera::{Camera, Sampling, plane};
+use crate::camera::{COLUMNS, Camera, ROWS, Sampling, plane};
 use crate::interval::Packet;
 use crate::ray::{Lines, clip};
 use crate::solve::Evaluations;
@@ -46,6 +46,18 @@ impl View<'_> {
     pub fn plane(&self, pixel: [u32; 2]) -> [f64; 2] {
         let [x, y, _] = plane(pixel, self.picture, self.sampling);
         [x, y]
+    }
+
+    /// c₀ + c₁x + c₂y in these coordinates, for a packet from this pixel on.
+    #[inline(always)]
+    pub fn linear<P: Packet>(&self, p: P, corner: [u32; 2], c: &[f64; 3]) -> P::F {
+        let [x, y] = self.plane(corner);
+        let first = p.splat(c[0] + x * c[1] + y * c[2]);
+        let columns = p.mul_rn(p.lanes(COLUMNS), p.splat(c[1]));
+        p.sub_rn(
+            p.add_rn(first, columns),
+            p.mul_rn(p.lanes(ROWS), p.splat(c[2])),
+        )
     }
 }
 
