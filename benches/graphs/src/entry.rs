@@ -111,7 +111,7 @@ impl<S: Surface> Kernel for Pass<'_, S> {
 #[inline(always)]
 fn measure<S: Surface, P: Packet>(p: P, pass: &Pass<S>) -> Duration {
     let prepared = pass.surface.prepare();
-    let mut bound = S::unbound(p);
+    let mut bound = S::unbound::<P>(p);
     let rays = rays(p, pass.half);
     S::bind(p, &prepared, &rays, &S::everything(&prepared), &mut bound);
     let mut random = Random(7);
