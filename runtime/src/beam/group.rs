@@ -8,6 +8,8 @@ use crate::interval::{Interval, Packet};
 pub(crate) struct Grid {
     pub columns: u32,
     pub part: [u32; 2],
+    /// Do the beams hold the whole pixels' rays, or only those through the places where they are sampled?
+    pub whole: bool,
 }
 
 /// Eight beams.
@@ -22,8 +24,8 @@ pub(crate) struct Group<'a, P: Packet> {
 }
 
 impl<'a, P: Packet> Group<'a, P> {
-    /// The beams of a grid whose upper left pixel is sampled at `corner`, in pixels to the right and up from the middle of
-    /// the picture.
+    /// The beams of a grid whose upper left pixel is sampled at `corner`, or has its middle there if the beams hold whole
+    /// pixels; in pixels to the right and up from the middle of the picture.
     #[inline(always)]
     pub fn new(p: P, frame: &'a Frame, corner: [f64; 2], grid: &Grid) -> Self {
         let [width, height] = grid.part.map(f64::from);
@@ -39,8 +41,9 @@ impl<'a, P: Packet> Group<'a, P> {
         let middle = pixels.map(|x| p.mul_rn(x, pixel));
         let mut half = middle;
         for (k, size) in [width, height].into_iter().enumerate() {
+            let reach = if grid.whole { size } else { size - 1.0 };
             let round = p.mul_ru(p.abs_f(middle[k]), p.splat(f64::EPSILON));
-            half[k] = p.add_ru(round, p.mul_ru(p.splat(0.5 * (size - 1.0)), pixel));
+            half[k] = p.add_ru(round, p.mul_ru(p.splat(0.5 * reach), pixel));
         }
         Group {
             frame,
@@ -142,6 +145,32 @@ impl<'a, P: Packet> Group<'a, P> {
             reach(p, high, p.sub_ru(grows, d.lo), &mut span);
         }
         span
+    }
+
+    /// Are the beams over `t` inside a box? They are convex: their corners tell.
+    #[inline(always)]
+    pub fn inside(&self, p: P, t: &Interval<P::F>, domain: &[[f64; 3]; 2]) -> P::M {
+        let frame = self.frame;
+        let slab = self.slab(p, t);
+        let Shift { at, turn, .. } = self.shift(p);
+        let side = |k: usize| {
+            let middle = p.add(p.point(at[k]), p.mul(p.point(turn[k]), *t));
+            Interval {
+                lo: p.sub_rd(middle.lo, slab.half[k]),
+                hi: p.add_ru(middle.hi, slab.half[k]),
+            }
+        };
+        let (x, y) = (side(0), side(1));
+        let mut inside = p.not(p.none());
+        for axis in 0..3 {
+            let [forward, right, up] = frame.axes.map(|v| p.point(p.splat(v[axis])));
+            let origin = p.recentre(p.splat(frame.near), forward.lo, p.splat(frame.from[axis]));
+            let along = p.add(origin, p.mul(forward, *t));
+            let place = p.add(along, p.add(p.mul(right, x), p.mul(up, y)));
+            let [low, high] = domain.map(|corner| p.splat(corner[axis]));
+            inside = p.and(inside, p.and(p.le(low, place.lo), p.le(place.hi, high)));
+        }
+        inside
     }
 
     /// The size of a pixel in x and y at t.

@@ -24,7 +24,7 @@ pub(crate) struct Space<'a> {
 /// Eight beams to be surveyed.
 pub(crate) struct Request<'a> {
     pub space: Space<'a>,
-    /// Where the upper left pixel is sampled, in pixels to the right and up from the middle of the picture.
+    /// Where the upper left pixel is; see [`Group::new`].
     pub corner: [f64; 2],
     pub grid: &'a Grid,
     /// The beams that are of interest.
@@ -98,7 +98,12 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
         if p.any(found.open) {
             surveyor.prove_single(&mut found);
         }
-        found.hints(p, frame)
+        let t = Interval {
+            lo: found.front,
+            hi: found.back,
+        };
+        let inside = p.bits(p.and(found.one, group.inside(p, &t, domain)));
+        found.hints(p, frame, inside)
     }
 }
 
@@ -140,7 +145,7 @@ struct Found<P: Packet> {
 impl<P: Packet> Found<P> {
     /// From the frame's t to the rays', which differ by the frame's slack.
     #[inline(always)]
-    fn hints(&self, p: P, frame: &Frame) -> [Hint; 8] {
+    fn hints(&self, p: P, frame: &Frame, inside: u8) -> [Hint; 8] {
         let near = p.splat(frame.near);
         let slack = p.splat(frame.slack);
         let free = p.to_array(p.sub_rd(p.add_rd(self.front, near), slack));
@@ -159,6 +164,7 @@ impl<P: Packet> Found<P> {
                 single: (one >> lane & 1 != 0).then_some(Single {
                     t: [first[lane], last[lane]],
                     slope: [lo[lane], hi[lane]],
+                    inside: inside >> lane & 1 != 0,
                     plane: [at[lane] + frame.near, right[lane], up[lane]],
                 }),
             };

@@ -39,6 +39,8 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
         {
             plan = Plan::survey(p, &mut over, beams.space, self.view, &self.hint, self.tile);
         }
+        self.tile.missed &= plan.missed;
+        self.tile.full |= plan.full;
         let mut trace = Packets::<S, C, P> {
             p,
             prepared: self.prepared,
