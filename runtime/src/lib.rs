@@ -28,7 +28,8 @@
 //! # Where things are
 //!
 //! - [`implicit!`] and [`Surface`]: formulas. [How to write them](guide::writing_formulas), and
-//!   [what the errors say](guide::reading_the_errors). [What is proved](guide::what_is_proved), and what would notice.
+//!   [what the errors say](guide::reading_the_errors). [How they are differentiated](guide::how_differentiation_works).
+//!   [What is proved](guide::what_is_proved), and what would notice.
 //! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
 //!   [`enclosure`]: forms that enclose f over a piece of a ray.

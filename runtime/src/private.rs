@@ -1,12 +1,12 @@
 //! What generated code names. Nothing here is for users.
 
 pub use crate::interval::{
-    Arithmetic, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Quadratic, Rebind,
-    Undecided,
+    Arithmetic, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Polynomial, Quadratic,
+    Rebind, Undecided, series,
 };
 pub use crate::language;
 pub use crate::ray::Rays;
-pub use crate::surface::{Active, Continuity, ParameterError, Report, Surface};
+pub use crate::surface::{Active, Continuity, Operations, ParameterError, Report, Surface};
 pub use std::default::Default;
 pub use std::option::Option;
 pub use std::result::Result::{self, Err, Ok};
@@ -15,6 +15,13 @@ pub use std::vec::Vec;
 pub use zeroset_macros::implicit;
 
 use crate::interval::{Flags, Lanes, Scalar};
+
+/// A reference that the optimiser takes for another one.
+#[inline(always)]
+#[must_use]
+pub fn apart<T>(place: &T) -> &T {
+    std::hint::black_box(place)
+}
 
 /// Primitive types by paths that nobody can shadow.
 pub mod primitive {

@@ -85,6 +85,23 @@ pub(crate) fn clip<P: Packet>(p: P, lines: &Lines, domain: &[[f64; 3]; 2]) -> Sp
 }
 
 impl<P: Packet> Rays<P> {
+    /// The middle of [0, end], and where the rays are there.
+    #[inline(always)]
+    pub fn middle(&self, p: P) -> (P::F, [Interval<P::F>; 3]) {
+        let t = p.max_f(p.mul_rn(self.end, p.splat(0.5)), p.splat(0.0));
+        let mut at = self.origin;
+        let mut axis = 0;
+        while axis < 3 {
+            // t ≥ 0: the bounds keep their order.
+            at[axis] = Interval {
+                lo: p.fma_rd(self.direction[axis].lo, t, self.origin[axis].lo),
+                hi: p.fma_ru(self.direction[axis].hi, t, self.origin[axis].hi),
+            };
+            axis += 1;
+        }
+        (t, at)
+    }
+
     /// Rays recentred at `entry`: the exact ray's point there is enclosed by one directed FMA, within an ulp or two of
     /// the *result*, however far away the origin is.
     #[inline(always)]

@@ -111,12 +111,38 @@ pub struct Report {
     pub total: bool,
     /// Names of the functions that f and its derivatives call, in alphabetic order.
     pub functions: &'static [&'static str],
+    /// Operations of the surface stage, done once per render.
+    pub surface_operations: u32,
     /// Linear and quadratic leaves of the ray stage, in loops counted once.
     pub leaves: u32,
-    /// Interval operations of the segment stage: value, slope, curvature; bodies of loops counted once.
-    pub segment_operations: [u32; 3],
-    /// Interval operations of the gradient and of the Hessian in space; bodies of loops counted once.
-    pub space_operations: [u32; 2],
+    /// Polynomials of higher degree in t whose coefficients the ray stage computes.
+    pub polynomials: u32,
+    /// Operations on polynomials in t that make these leaves, done once per ray.
+    pub ray_operations: u32,
+    /// Interval operations over a segment of a ray: value, slope, curvature.
+    pub segment: [Operations; 3],
+    /// Interval operations in space: the value alone, with its gradient, and with gradient and Hessian.
+    pub space: [Operations; 3],
+}
+
+/// How many interval operations an entry point does, bodies of loops counted once.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Operations {
+    /// If each use of a subexpression computed it again. Stops at [`u32::MAX`].
+    pub naive: u32,
+    /// If what is equal is computed once.
+    pub shared: u32,
+    /// As compiled: without what the surface stage and the ray stage have done before. The leaves count.
+    pub staged: u32,
+}
+
+impl Operations {
+    /// Nothing is done, or nothing is known about it.
+    pub const NONE: Operations = Operations {
+        naive: 0,
+        shared: 0,
+        staged: 0,
+    };
 }
 
 /// How smooth a function is, wherever it is defined.

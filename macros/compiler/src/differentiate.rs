@@ -5,9 +5,10 @@
 //! variables (Baur and Strassen 1983); sweeping over the gradient's own nodes gives the Hessian.
 
 use crate::functions::Function;
-use crate::graph::{Graph, Id, Op, Undecided, operands};
+use crate::graph::{Graph, Id, Info, Op, Undecided, operands};
+use crate::range::Range;
 use crate::tree::FoldKind;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 impl Graph {
     /// The partial derivatives by the operands that vary. Choices and folds are not in this table: they are treated
@@ -191,6 +192,20 @@ impl Graph {
         }
         let slope = match self.op(id).clone() {
             Op::Leaf(k, order) => leaf(self, k, order + 1),
+            // Its degree is higher than any order that is asked for.
+            Op::Polynomial(k, order) => {
+                let info = self.info(id).clone();
+                let degree = info.degree.map(|d| d.saturating_sub(1));
+                self.polynomial(
+                    k,
+                    order + 1,
+                    Info {
+                        degree,
+                        range: Range::LINE,
+                        ..info
+                    },
+                )
+            }
             Op::Choose(c, a, b, undecided) => {
                 let (a, b) = (self.along(a, memo, leaf), self.along(b, memo, leaf));
                 self.choose(c, a, b, undecided)
@@ -237,17 +252,12 @@ impl Graph {
         }
     }
 
-    /// All partial derivatives of `root` by `variables`, by one sweep from the root down.
-    pub fn gradient(&mut self, root: Id, variables: &[Id]) -> Vec<Id> {
-        let one = self.integer(1);
-        let mut adjoints = BTreeMap::new();
-        adjoints.insert(root, one);
-        let found = self.sweep(adjoints, &|_, _| true);
-        let zero = self.integer(0);
-        variables
-            .iter()
-            .map(|v| found.get(v).copied().unwrap_or(zero))
-            .collect()
+    /// The derivatives of `root` by x, y and z, by one sweep from the root down.
+    pub fn gradient(&mut self, root: Id) -> [Id; 3] {
+        if !self.varies(root) {
+            return [self.integer(0); 3];
+        }
+        self.slopes(root).1
     }
 
     /// Pushes adjoints down to the nodes that `enter` refuses and to those without operands; returns their adjoints.
@@ -257,6 +267,8 @@ impl Graph {
         enter: &dyn Fn(&Graph, Id) -> bool,
     ) -> BTreeMap<Id, Id> {
         let mut done: BTreeMap<Id, Id> = BTreeMap::new();
+        // Polynomials below what is none.
+        let mut maximal = HashSet::new();
         // The largest id first: every use of a node has a larger id, so its adjoint is complete when it is taken.
         while let Some((id, adjoint)) = pending.pop_last() {
             if operands(self.op(id)).is_empty() || !enter(self, id) {
@@ -265,7 +277,16 @@ impl Graph {
                 done.insert(id, sum);
                 continue;
             }
-            for (operand, share) in self.shares(id, adjoint) {
+            let shares = if maximal.contains(&id) {
+                self.through(id, adjoint)
+            } else {
+                self.shares(id, adjoint)
+            };
+            if self.info(id).degree.is_none() {
+                let operands = shares.iter().map(|s| s.0);
+                maximal.extend(operands.filter(|a| self.info(*a).degree.is_some()));
+            }
+            for (operand, share) in shares {
                 if self.varies(operand) && !self.is_zero(share) {
                     let sum = pending.get(&operand).copied();
                     let sum = sum.map_or(share, |s| self.add(s, share));
@@ -295,13 +316,47 @@ impl Graph {
         }
     }
 
+    /// A polynomial below other operations hands its adjoint on to x, y and z at once: one product with each of its own
+    /// derivatives, where each of its operations would have one. What is inside a loop then has a sum for each of them, and
+    /// not for each power.
+    fn through(&mut self, polynomial: Id, adjoint: Id) -> Vec<(Id, Id)> {
+        let (axes, slopes) = self.slopes(polynomial);
+        let mut all = Vec::new();
+        for (axis, slope) in axes.into_iter().zip(slopes) {
+            if !self.is_zero(slope) {
+                all.push((axis, self.multiply(adjoint, slope)));
+            }
+        }
+        all
+    }
+
+    /// A choice hands on the choice of both sides' derivatives: where it is open, that is their hull. (Were each side given
+    /// the adjoint under the same condition, an open one would add up two intervals that hold 0.)
     fn split(&mut self, c: Id, a: Id, b: Id, adjoint: Id, undecided: Undecided) -> Vec<(Id, Id)> {
+        let (axes, yes) = self.slopes(a);
+        let (_, no) = self.slopes(b);
+        let mut all = Vec::new();
+        for (axis, (yes, no)) in axes.into_iter().zip(yes.into_iter().zip(no)) {
+            if !(self.is_zero(yes) && self.is_zero(no)) {
+                let slope = self.choose(c, yes, no, undecided);
+                all.push((axis, self.multiply(adjoint, slope)));
+            }
+        }
+        all
+    }
+
+    /// x, y and z, and a node's derivatives by them.
+    fn slopes(&mut self, id: Id) -> ([Id; 3], [Id; 3]) {
+        let axes = [0, 1, 2].map(|k| self.input(Op::Coordinate(k)));
+        if let Some(&known) = self.slopes.get(&id) {
+            return (axes, known);
+        }
+        let one = self.integer(1);
+        let found = self.sweep(BTreeMap::from([(id, one)]), &|_, _| true);
         let zero = self.integer(0);
-        let (to_a, to_b) = (
-            self.choose(c, adjoint, zero, undecided),
-            self.choose(c, zero, adjoint, undecided),
-        );
-        vec![(a, to_a), (b, to_b)]
+        let slopes = axes.map(|axis| found.get(&axis).copied().unwrap_or(zero));
+        self.slopes.insert(id, slopes);
+        (axes, slopes)
     }
 
     /// A sweep inside the loop gives each row's derivatives by the nodes outside; a fold of those, times the adjoint,
@@ -315,8 +370,7 @@ impl Graph {
     ) -> Vec<(Id, Id)> {
         let inner: Vec<BTreeMap<Id, Id>> =
             args.iter().map(|a| self.row_gradient(fold, *a)).collect();
-        let outside: std::collections::BTreeSet<Id> =
-            inner.iter().flat_map(|m| m.keys().copied()).collect();
+        let outside: BTreeSet<Id> = inner.iter().flat_map(|m| m.keys().copied()).collect();
         let zero = self.integer(0);
         let mut all = Vec::new();
         for node in outside {

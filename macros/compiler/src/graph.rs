@@ -2,8 +2,9 @@
 
 use crate::exact::Rational;
 use crate::functions::Function;
+use crate::range::Range;
 use crate::tree::{FoldKind, Index};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
 
 /// A node. Operands have smaller ids than the nodes that use them.
@@ -99,17 +100,8 @@ pub enum Op {
     Fold(FoldKind, usize, Vec<Id>),
     /// A leaf of the ray stage (index into the stage's leaves): value, slope or curvature along the ray.
     Leaf(usize, u8),
-}
-
-/// A certain sign.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Sign {
-    /// Nothing is known.
-    Unknown,
-    /// ≥ 0 wherever it is defined.
-    NonNegative,
-    /// ≤ 0 wherever it is defined.
-    NonPositive,
+    /// A polynomial of higher degree over a segment (index into the stage's polynomials): value, slope or curvature.
+    Polynomial(usize, u8),
 }
 
 /// What is known about a node's value.
@@ -117,8 +109,8 @@ pub enum Sign {
 pub struct Info {
     /// Degree in x, y, z; 0 for what does not depend on the point; `None` if it is no polynomial.
     pub degree: Option<u32>,
-    /// Its sign.
-    pub sign: Sign,
+    /// Bounds of its value.
+    pub range: Range,
     /// Is it defined for all points and all values of the fields?
     pub total: bool,
     /// The folds whose current row it depends on.
@@ -144,12 +136,16 @@ pub enum Over {
 }
 
 /// The graph.
-#[derive(Default, Debug)]
+#[derive(Clone, Default, Debug)]
 pub struct Graph {
     ops: Vec<Op>,
     info: Vec<Info>,
     known: HashMap<Op, Id>,
+    /// Derivatives by x, y and z that were asked for.
+    pub(crate) slopes: HashMap<Id, [Id; 3]>,
     as_written: bool,
+    /// How often each of [`RULES`](crate::simplify::RULES) was applied.
+    pub applied: BTreeMap<&'static str, usize>,
     /// All folds, outer before inner.
     pub folds: Vec<Fold>,
 }
@@ -203,8 +199,14 @@ impl Graph {
             return id;
         }
         let info = info(self);
+        let id = self.push(op.clone(), info);
+        self.known.insert(op, id);
+        id
+    }
+
+    /// A new node, shared with nothing.
+    pub(crate) fn push(&mut self, op: Op, info: Info) -> Id {
         let id = Id(self.ops.len() as u32);
-        self.known.insert(op.clone(), id);
         self.ops.push(op);
         self.info.push(info);
         id
@@ -256,6 +258,7 @@ impl Graph {
             Op::Choose(c, a, b, u) => format!("choose {} ({u:?})", list(&[*c, *a, *b])),
             Op::Fold(k, f, b) => format!("{k:?} over fold {f}: {}", list(b)).to_lowercase(),
             Op::Leaf(k, n) => format!("leaf {k}{}", "'".repeat(*n as usize)),
+            Op::Polynomial(k, n) => format!("polynomial {k}{}", "'".repeat(*n as usize)),
             op => {
                 let word = match op {
                     Op::Negate(_) => "negate",
@@ -290,7 +293,8 @@ pub fn operands(op: &Op) -> Vec<Id> {
         | Op::Field(..)
         | Op::Row(..)
         | Op::Counter(_)
-        | Op::Leaf(..) => vec![],
+        | Op::Leaf(..)
+        | Op::Polynomial(..) => vec![],
         Op::Negate(a) | Op::Power(a, _) | Op::Unary(_, a) | Op::AbsSlope(a) => vec![*a],
         Op::Add(a, b)
         | Op::Subtract(a, b)
@@ -304,14 +308,5 @@ pub fn operands(op: &Op) -> Vec<Id> {
         | Op::Either(a, b) => vec![*a, *b],
         Op::Choose(c, a, b, _) => vec![*c, *a, *b],
         Op::Fold(_, _, b) => b.clone(),
-    }
-}
-
-/// The sign of a rational.
-pub fn sign_of(r: &Rational) -> Sign {
-    if r.is_negative() {
-        Sign::NonPositive
-    } else {
-        Sign::NonNegative
     }
 }

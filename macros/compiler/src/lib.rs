@@ -15,14 +15,16 @@ pub mod diagnostic;
 pub mod differentiate;
 pub mod emit;
 pub mod exact;
+pub mod form;
 pub mod front;
 pub mod functions;
 pub mod graph;
 pub mod lower;
 pub mod parse;
+pub mod range;
 pub mod rational;
 pub mod resolve;
-mod simplify;
+pub mod simplify;
 pub mod stage;
 pub mod tree;
 
@@ -33,9 +35,10 @@ use quote::quote;
 pub fn expand(input: TokenStream) -> TokenStream {
     let mut tokens = input.into_iter();
     let root = crate_path(tokens.next());
-    let front = front::front(tokens.collect());
+    let (form, tokens) = form(tokens.collect());
+    let front = front::front(tokens);
     match &front.formula {
-        Some(formula) => match emit::surface(formula, &root) {
+        Some(formula) => match emit::surface(formula, &root, form) {
             Ok(code) => code,
             Err(large) => {
                 let mut diagnostics = front.diagnostics;
@@ -56,6 +59,19 @@ pub fn expand(input: TokenStream) -> TokenStream {
             }
         }
     }
+}
+
+/// `@shared` or the like in front of the formula, for benchmarks: no formula begins with `@`.
+fn form(input: TokenStream) -> (form::Form, TokenStream) {
+    let mut tokens = input.clone().into_iter();
+    if let (Some(TokenTree::Punct(at)), Some(TokenTree::Ident(name))) =
+        (tokens.next(), tokens.next())
+        && at.as_char() == '@'
+        && let Some(form) = form::Form::named(&name.to_string())
+    {
+        return (form, tokens.collect());
+    }
+    (form::Form::Staged, input)
 }
 
 fn too_many_folds(source: tree::Source) -> diagnostic::Diagnostic {

@@ -7,7 +7,7 @@ mod support;
 
 use support::Case;
 use zeroset_compiler::front::front;
-use zeroset_compiler::graph::{Graph, Id, Op};
+use zeroset_compiler::graph::{Graph, Id};
 use zeroset_compiler::lower::Lowering;
 use zeroset_compiler::stage::Staged;
 use zeroset_compiler::tree::Formula;
@@ -34,8 +34,7 @@ fn describe(case: &Case) -> String {
     let formula = formula(&case.source);
     let (plain, written) = lowered(&formula, Graph::as_written());
     let (mut graph, root) = lowered(&formula, Graph::default());
-    let axes = [0, 1, 2].map(|axis| graph.input(Op::Coordinate(axis)));
-    let gradient = graph.gradient(root, &axes);
+    let gradient = graph.gradient(root);
     let space = [
         ("f", root),
         ("df/dx", gradient[0]),
@@ -61,10 +60,18 @@ fn describe(case: &Case) -> String {
         .iter()
         .map(|(label, id)| (label.as_str(), *id))
         .collect();
-    let jet = ["value", "slope", "curvature"];
-    let jet: Vec<(&str, Id)> = jet
-        .into_iter()
-        .zip(staged.jet.map(Option::unwrap))
+    let labelled = |ids: [Id; 3]| -> Vec<(&str, Id)> {
+        ["value", "slope", "curvature"]
+            .into_iter()
+            .zip(ids)
+            .collect()
+    };
+    let jet = labelled(staged.jet.map(Option::unwrap));
+    let polynomials: Vec<(String, Id)> = staged
+        .polynomials
+        .iter()
+        .enumerate()
+        .map(|(k, (id, degree))| (format!("polynomial {k} of degree {degree}"), *id))
         .collect();
     let count = |roots: &[(&str, Id)]| {
         let ids: Vec<Id> = roots.iter().map(|r| r.1).collect();
@@ -85,10 +92,39 @@ fn describe(case: &Case) -> String {
         graph.text(&leaves),
         count(&jet),
         graph.text(&jet),
-    )
+    ) + &match staged.over {
+        None => String::new(),
+        Some(over) => {
+            let over = labelled(over);
+            let nodes = polynomials
+                .iter()
+                .map(|(label, id)| format!("{label}: n{}\n", id.0));
+            format!(
+                "\nThe same over segments, from coefficients; operations: {}\n\n```text\n{}{}```\n",
+                count(&over),
+                nodes.collect::<String>(),
+                graph.text(&over),
+            )
+        }
+    }
 }
 
 #[test]
 fn before_and_after() {
     support::check("graphs.md", describe);
+}
+
+/// What the page on differentiation shows is what is made of the small formula.
+#[test]
+fn the_page_shows_what_is_made() {
+    let page = include_str!("../../../docs/how-differentiation-works.md");
+    let fixture = include_str!("fixtures/graphs.md");
+    let small = fixture.split("\n## ").nth(1).unwrap();
+    assert!(small.starts_with("a_small_one"));
+    let shown: Vec<&str> = page.split("```text\n").skip(1).collect();
+    assert_eq!(shown.len(), 3);
+    for block in shown {
+        let block = block.split("```").next().unwrap();
+        assert!(small.contains(block), "not in the fixture:\n{block}");
+    }
 }

@@ -34,6 +34,8 @@ impl<P: Packet> Leaves for OverBeams<P> {
     type Packet = P;
     type Linear = LinearOver<P>;
     type Quadratic = QuadraticOver<P>;
+    // Beams evaluate formulas as they are written.
+    type Polynomial<const N: usize> = ();
     #[inline(always)]
     fn linear(p: P) -> LinearOver<P> {
         let middle = Linear::zero(p);
@@ -42,6 +44,8 @@ impl<P: Packet> Leaves for OverBeams<P> {
             side: [middle.c0; 2],
         }
     }
+    #[inline(always)]
+    fn polynomial<const N: usize>(_p: P) {}
     #[inline(always)]
     fn quadratic(p: P) -> QuadraticOver<P> {
         let side = Linear::zero(p);

@@ -1,6 +1,6 @@
 //! Linear and quadratic leaves: subexpressions of degree ≤ 2 along a ray, reduced to their coefficients once per ray.
 
-use super::{Arithmetic, Interval, Packet};
+use super::{Arithmetic, Interval, Packet, Polynomial};
 
 /// c₀ + c₁t, for t ≥ 0.
 #[derive(Clone, Copy)]
@@ -41,16 +41,21 @@ pub trait Leaves: Copy + 'static {
     type Linear: Copy + Send + Sync;
     /// A subexpression of degree 2.
     type Quadratic: Copy + Send + Sync;
+    /// The N coefficients of a polynomial of higher degree; nothing where they are of no use.
+    type Polynomial<const N: usize>: Copy + Send + Sync;
     /// The leaf 0: room in arrays.
     fn linear(p: Self::Packet) -> Self::Linear;
     /// The leaf 0: room in arrays.
     fn quadratic(p: Self::Packet) -> Self::Quadratic;
+    /// The polynomial 0: room in tuples.
+    fn polynomial<const N: usize>(p: Self::Packet) -> Self::Polynomial<N>;
 }
 
 impl<P: Packet> Leaves for P {
     type Packet = P;
     type Linear = Linear<P>;
     type Quadratic = Quadratic<P>;
+    type Polynomial<const N: usize> = Polynomial<P, N>;
     #[inline(always)]
     fn linear(p: P) -> Linear<P> {
         Linear::zero(p)
@@ -58,6 +63,10 @@ impl<P: Packet> Leaves for P {
     #[inline(always)]
     fn quadratic(p: P) -> Quadratic<P> {
         Quadratic::zero(p)
+    }
+    #[inline(always)]
+    fn polynomial<const N: usize>(p: P) -> Polynomial<P, N> {
+        Polynomial::zero(p)
     }
 }
 
@@ -93,6 +102,16 @@ pub trait Parameter<A: Arithmetic>: Copy {
     fn quadratic_slope(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
     /// 2c₂
     fn quadratic_curvature(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
+    /// A polynomial of higher degree and its first K − 1 derivatives, over a segment of rays; nothing for other
+    /// parameters, for which a formula is evaluated as it is written.
+    #[inline(always)]
+    fn polynomial<const N: usize, const K: usize>(
+        self,
+        _a: A,
+        _of: &<Self::Leaves as Leaves>::Polynomial<N>,
+    ) -> Option<[A::Value; K]> {
+        None
+    }
 }
 
 /// A single t ≥ 0 per lane.

@@ -21,9 +21,11 @@ mod nearest;
 mod number;
 mod packet;
 mod parameter;
+mod polynomial;
 mod portable;
 mod rounding;
 mod scalar;
+pub mod series;
 
 pub use arithmetic::Arithmetic;
 #[cfg(target_arch = "x86_64")]
@@ -43,6 +45,7 @@ pub use leaf::{At, Leaves, Linear, Parameter, Quadratic, Rebind};
 pub use nearest::Nearest;
 pub use number::IntervalError;
 pub use packet::Packet;
+pub use polynomial::Polynomial;
 pub use portable::Portable;
 pub use rounding::{Directed, Mode, Rounding, ToNearest, TooTight, Unguarded};
 pub use scalar::Scalar;

@@ -7,7 +7,7 @@
 
 use super::horner;
 use super::lanes::operation;
-use super::{Arithmetic, At, Interval, Linear, Nearest, Packet, Parameter, Quadratic};
+use super::{Arithmetic, At, Interval, Linear, Nearest, Packet, Parameter, Polynomial, Quadratic};
 
 impl<P: Packet> Linear<P> {
     /// c₀ + c₁t.
@@ -189,6 +189,14 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
     #[inline(always)]
     fn quadratic_curvature(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
         doubled(p, leaf.c2)
+    }
+    #[inline(always)]
+    fn polynomial<const N: usize, const K: usize>(
+        self,
+        p: P,
+        of: &Polynomial<P, N>,
+    ) -> Option<[Interval<P::F>; K]> {
+        Some(of.ranges(p, &self))
     }
 }
 

@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 use zeroset::interval::{Arithmetic, Flags, Interval, Scalar, Truth, Undecided};
 use zeroset_compiler::exact::Rational;
 use zeroset_compiler::functions::Function;
-use zeroset_compiler::graph::{self, Graph, Id, Op, operands};
+use zeroset_compiler::graph::{Graph, Id, Op, operands};
 
 type Marks = Flags<Scalar>;
 
@@ -93,7 +93,7 @@ fn operation(
     };
     // What the compiler proved to be ≥ 0 is cut there, as in generated code.
     match value {
-        Value::Number(n) if graph.info(id).sign == graph::Sign::NonNegative => {
+        Value::Number(n) if graph.info(id).range.is_nonnegative() => {
             (Value::Number(p.nonneg(n)), flags)
         }
         value => (value, flags),

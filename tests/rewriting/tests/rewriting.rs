@@ -6,11 +6,12 @@ use std::process::{Command, Stdio};
 
 use num_rational::BigRational;
 use zeroset::interval::Interval;
-use zeroset_compiler::graph::Op;
+use zeroset_compiler::graph::{Graph, Op};
+use zeroset_compiler::simplify::RULES;
 use zeroset_rewriting::enclose::{Wrong, enclose};
 use zeroset_rewriting::formula::{FUNCTIONS, Random};
-use zeroset_rewriting::random_pair;
 use zeroset_rewriting::truth::{exact, value};
+use zeroset_rewriting::{lowered, random_pair};
 
 /// No wrong rewrite.
 const RIGHT: Wrong = |_| None;
@@ -99,6 +100,8 @@ struct Compared {
     used: BTreeMap<&'static str, usize>,
     /// Operations of the graphs as written and rewritten.
     operations: [usize; 2],
+    /// How often each rule was applied, in formulas and their gradients.
+    applied: BTreeMap<&'static str, usize>,
 }
 
 impl Compared {
@@ -110,6 +113,11 @@ impl Compared {
             *self.used.entry(f).or_default() += 1;
         }
         let source = formula.source();
+        let (mut graph, root) = graphs[1].clone();
+        graph.gradient(root);
+        for (rule, count) in &graph.applied {
+            *self.applied.entry(rule).or_default() += count;
+        }
         for (k, (graph, root)) in graphs.iter().enumerate() {
             self.operations[k] += graph.reachable(&[*root], |_| false).len();
         }
@@ -155,6 +163,7 @@ fn rewriting_does_not_widen() {
     } = compared;
     println!("{boxes} boxes: {narrower} narrower, {wider} wider; {before} nodes became {after}");
     println!("functions: {:?}", compared.used);
+    println!("rules: {:?}", compared.applied);
     for (class, (count, example)) in &compared.classes {
         println!("wider, {count} with [{class}]: {example}");
     }
@@ -164,8 +173,24 @@ fn rewriting_does_not_widen() {
             "{name} is not covered"
         );
     }
+    // Sums over rows are in no random formula.
+    for rule in RULES.iter().filter(|rule| **rule != "sum of 0 = 0") {
+        let count = compared.applied.get(rule).copied().unwrap_or(0);
+        assert!(count > 10, "the rule {rule} is not covered: {count}");
+    }
     assert!(after < before);
     assert!(wider * 100 <= boxes, "{wider} of {boxes} are wider");
+}
+
+/// The rule that no random formula meets: the derivative of a sum whose rows do not depend on a coordinate.
+#[test]
+fn sums_of_zeros_vanish() {
+    let (mut graph, root) =
+        lowered("sum(i in 1..4) { sin(i*x) }", Graph::default()).expect("a formula");
+    let zero = graph.integer(0);
+    assert_eq!(graph.gradient(root)[1], zero);
+    let none = graph.fold(zeroset_compiler::tree::FoldKind::Sum, 0, vec![zero]);
+    assert_eq!((none, graph.applied.get("sum of 0 = 0")), (zero, Some(&1)));
 }
 
 /// Both graphs against arb, all functions: a script judges, if it can run.

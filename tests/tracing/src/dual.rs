@@ -4,7 +4,7 @@ use zeroset::interval::{
     Arithmetic, Flags, Interval, Jet, Leaves, Linear, Packet, Parameter, Rebind,
 };
 use zeroset::ray::Rays;
-use zeroset::surface::{Active, Continuity, ParameterError, Report, Surface};
+use zeroset::surface::{Active, Continuity, Operations, ParameterError, Report, Surface};
 
 /// A value with its first two derivatives along a line.
 #[derive(Clone, Copy)]
@@ -206,8 +206,11 @@ impl<F: Formula> Surface for Hand<F> {
         total: false,
         functions: &[],
         leaves: 3,
-        segment_operations: [0; 3],
-        space_operations: [0; 2],
+        polynomials: 0,
+        surface_operations: 0,
+        ray_operations: 0,
+        segment: [Operations::NONE; 3],
+        space: [Operations::NONE; 3],
     };
     type Prepared = F;
     type Bound<L: Leaves> = [L::Linear; 3];

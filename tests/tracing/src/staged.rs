@@ -2,7 +2,7 @@
 
 use zeroset::interval::{Arithmetic, Interval, Jet, Leaves, Packet, Parameter, Quadratic, Rebind};
 use zeroset::ray::Rays;
-use zeroset::surface::{Active, Continuity, ParameterError, Report, Surface};
+use zeroset::surface::{Active, Continuity, Operations, ParameterError, Report, Surface};
 
 /// Σ wᵢ·exp(−|p − cᵢ|²·sᵢ) − level: blobs; with no blob a sphere of radius `level` in closed form.
 #[derive(Clone)]
@@ -71,8 +71,11 @@ impl Surface for Blobs {
         total: true,
         functions: &[],
         leaves: 1,
-        segment_operations: [3, 5, 9],
-        space_operations: [0; 2],
+        polynomials: 0,
+        surface_operations: 0,
+        ray_operations: 0,
+        segment: [Operations::NONE; 3],
+        space: [Operations::NONE; 3],
     };
     type Prepared = Blobs;
     type Bound<L: Leaves> = Vec<L::Quadratic>;
@@ -251,8 +254,11 @@ impl Surface for Ball {
         total: true,
         functions: &[],
         leaves: 1,
-        segment_operations: [0; 3],
-        space_operations: [0; 2],
+        polynomials: 0,
+        surface_operations: 0,
+        ray_operations: 0,
+        segment: [Operations::NONE; 3],
+        space: [Operations::NONE; 3],
     };
     type Prepared = Interval;
     type Bound<L: Leaves> = L::Quadratic;

@@ -6,12 +6,14 @@
 
 #![forbid(unsafe_code)]
 
+pub mod list;
 pub mod nodes;
 pub mod surfaces;
 pub mod text;
 
 use text::Answered;
 use zeroset::camera::Ray;
+use zeroset::implicit;
 use zeroset::render::all_roots;
 use zeroset::{Options, Scene, Surface};
 

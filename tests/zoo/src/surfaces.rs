@@ -3,7 +3,7 @@
 // Each is described by its formula; their names are those of the literature.
 #![allow(missing_docs)]
 
-use zeroset::implicit;
+use super::implicit;
 
 implicit! { #[derive(Clone)] pub struct Sphere; x^2 + y^2 + z^2 = 0.64 }
 implicit! { #[derive(Clone)] pub struct Ellipsoid; x^2 + 2*y^2 + 3*z^2 + x*y = 1 }

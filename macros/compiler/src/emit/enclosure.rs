@@ -3,8 +3,9 @@
 use super::block::Target;
 use super::layout::Layout;
 use super::text::{count, flags, index, interval, number, variable};
+use crate::form::Form;
 use crate::functions::Function;
-use crate::graph::{Graph, Id, Op, Over, Scope, Sign, Undecided};
+use crate::graph::{Graph, Id, Op, Over, Scope, Undecided};
 use crate::tree::FoldKind;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -30,8 +31,6 @@ pub struct Enclosure<'a> {
     pub stage: Stage,
     /// Names of the fields; for tables in the surface stage.
     pub fields: &'a [Ident],
-    /// Interval operations emitted so far.
-    pub operations: u32,
 }
 
 /// A variable, and the flags that its value may carry.
@@ -50,8 +49,7 @@ impl Target for Enclosure<'_> {
     type Value = Value;
 
     fn ready(&self, id: Id) -> bool {
-        self.stage != Stage::Surface && !self.graph.varies(id)
-            || matches!(self.graph.op(id), Op::Leaf(..))
+        self.is_prepared(id) || matches!(self.graph.op(id), Op::Leaf(..))
     }
 
     fn given(&mut self, id: Id, out: &mut TokenStream) -> Option<Value> {
@@ -63,12 +61,11 @@ impl Target for Enclosure<'_> {
             }
             Op::Leaf(leaf, order) => {
                 let (place, quadratic) = self.layout.leaf(*leaf)?;
-                self.operations += 1;
-                leaf_value(&place, quadratic, *order)
+                leaf_value(&self.place(place), quadratic, *order)
             }
-            _ if self.stage != Stage::Surface && !self.graph.varies(id) => {
-                let place = self.layout.value(id)?;
-                quote!(a.constant(&#place))
+            _ if self.is_prepared(id) => {
+                let place = self.place(self.layout.value(id)?);
+                quote!(a.constant(#place))
             }
             Op::Pi => quote!(a.constant(&__zeroset::PI)),
             Op::Field(field, indices) => {
@@ -87,8 +84,7 @@ impl Target for Enclosure<'_> {
             _ => return None,
         };
         let name = variable(id);
-        let known_sign = matches!(self.graph.op(id), Op::Leaf(..))
-            && self.graph.info(id).sign == Sign::NonNegative;
+        let known_sign = matches!(self.graph.op(id), Op::Leaf(..)) && self.graph.nonnegative(id);
         let expression = if known_sign {
             quote!(a.nonneg(#expression))
         } else {
@@ -99,7 +95,6 @@ impl Target for Enclosure<'_> {
     }
 
     fn operation(&mut self, id: Id, values: Values, out: &mut TokenStream) -> Value {
-        self.operations += 1;
         let op = self.graph.op(id).clone();
         let name = variable(id);
         let own = flags(id);
@@ -111,7 +106,7 @@ impl Target for Enclosure<'_> {
         };
         let code = expression.code;
         out.extend(quote!(let #pattern = #code;));
-        if self.graph.info(id).sign == Sign::NonNegative && !bounded_by_itself(&op) {
+        if self.graph.nonnegative(id) && !bounded_by_itself(&op) {
             out.extend(quote!(let #name = a.nonneg(#name);));
         }
         let flags = self.flags_of(id, &op, flagged, values, out);
@@ -135,7 +130,6 @@ impl Target for Enclosure<'_> {
         let name = variable(id);
         let names: Vec<&Ident> = args.iter().map(|v| &v.name).collect();
         let (mut declare, mut update) = accumulator(&name, fold.0, fold.1, &names);
-        self.operations += 1 << (args.len() - 1).min(2);
         let choosing = matches!(fold.0, FoldKind::Minimum | FoldKind::Maximum) && args.len() > 1;
         let any = choosing || args.iter().any(|v| v.flags.is_some());
         let flags = any.then(|| flags(id));
@@ -155,7 +149,7 @@ impl Target for Enclosure<'_> {
 
     fn finish(&mut self, id: Id, value: Value, out: &mut TokenStream) -> Value {
         let name = &value.name;
-        if self.graph.info(id).sign == Sign::NonNegative {
+        if self.graph.nonnegative(id) {
             out.extend(quote!(let #name = a.nonneg(#name);));
         }
         value
@@ -169,15 +163,30 @@ struct Expression {
 }
 
 impl Enclosure<'_> {
+    /// Was the node computed by the surface stage?
+    fn is_prepared(&self, id: Id) -> bool {
+        self.stage != Stage::Surface && self.layout.form.ready(self.graph, id)
+    }
+
+    /// A reference to a stored value. In the naive form each use loads it again, lest rustc shares what the form does not.
+    fn place(&self, place: TokenStream) -> TokenStream {
+        match self.layout.form {
+            Form::Naive => quote!(__zeroset::apart(&#place)),
+            _ => quote!(&#place),
+        }
+    }
+
     fn expression(&self, op: &Op, values: Values) -> Expression {
         let v = |id: &Id| values(*id).map_or_else(|| quote!(()), |v| v.name.to_token_stream());
         let plain = |code| Expression {
             code,
             flagged: false,
         };
-        let partial = |code| Expression {
-            code,
-            flagged: true,
+        // Where the operands cannot leave the domain, the flags are not set.
+        let regular = self.graph.is_regular(op);
+        let partial = |code: TokenStream| Expression {
+            code: if regular { quote!(#code.0) } else { code },
+            flagged: !regular,
         };
         match op {
             Op::Negate(a) => {
@@ -209,21 +218,10 @@ impl Enclosure<'_> {
                 let (a, b) = (v(a), v(b));
                 partial(quote!(a.pow(#a, #b)))
             }
-            // Whether √'s operand is ≥ 0 was proved or is tested; either way it returns flags.
-            Op::Unary(f, a) => {
-                let expression = call(f.entry().name, &[v(a)]);
-                Expression {
-                    flagged: !f.entry().total,
-                    ..expression
-                }
-            }
-            Op::Binary(f, a, b) => {
-                let expression = call(f.entry().name, &[v(a), v(b)]);
-                Expression {
-                    flagged: !f.entry().total,
-                    ..expression
-                }
-            }
+            Op::Unary(f, a) if f.entry().total => call(f.entry().name, &[v(a)]),
+            Op::Binary(f, a, b) if f.entry().total => call(f.entry().name, &[v(a), v(b)]),
+            Op::Unary(f, a) => partial(call(f.entry().name, &[v(a)]).code),
+            Op::Binary(f, a, b) => partial(call(f.entry().name, &[v(a), v(b)]).code),
             Op::AbsSlope(a) => {
                 let a = v(a);
                 partial(quote!(a.abs_slope(#a)))
@@ -317,7 +315,7 @@ fn leaf_value(place: &TokenStream, quadratic: bool, order: u8) -> TokenStream {
         1 => format_ident!("{kind}_slope"),
         _ => format_ident!("{kind}_curvature"),
     };
-    quote!(t.#name(a, &#place))
+    quote!(t.#name(a, #place))
 }
 
 /// A fold's accumulators: declaration and update. Extremes take the first row as it is, because ±∞ on both sides is no

@@ -4,6 +4,7 @@ use super::block::block;
 use super::enclosure::{Enclosure, Stage};
 use super::layout::Layout;
 use super::scalar;
+use crate::form::Form;
 use crate::front::{Head, HeadField};
 use crate::graph::{Graph, Id, Scope};
 use crate::lower::{Lowering, TooLarge};
@@ -228,13 +229,12 @@ fn bound(formula: &Formula, term: &Term, side: &TokenStream) -> Result<TokenStre
     let mut lowering = Lowering::new(formula);
     let id: Id = lowering.term(term)?;
     let graph = &lowering.graph;
-    let layout = Layout::new(graph, &[], &[]);
+    let layout = Layout::new(graph, Form::Staged, &[], &[], &[]);
     let mut target = Enclosure {
         graph,
         layout: &layout,
         stage: Stage::Surface,
         fields: &[],
-        operations: 0,
     };
     let mut body = TokenStream::new();
     let value = block(

@@ -1,9 +1,10 @@
 //! Where the values of the surface and ray stages are stored.
 //!
 //! `Prepared` is the tuple (values, undefined, rows of scope 0, rows of scope 1, …), `Bound` the tuple (linear leaves,
-//! quadratic leaves, active rows, rows of scope 0, …). A scope is a set of nested loops; its rows are a `Vec` of arrays
+//! quadratic leaves, active rows, rows of scope 0, …, polynomials of higher degree). A scope is a set of nested loops; its rows are a `Vec` of arrays
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
+use crate::form::Form;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::stage::Leaf;
 use proc_macro2::{Literal, TokenStream};
@@ -24,6 +25,8 @@ pub struct Store {
 /// The storage of a surface.
 #[derive(Debug)]
 pub struct Layout {
+    /// How far the formula is compiled.
+    pub form: Form,
     /// The scope without loops.
     pub top: Store,
     /// The other scopes.
@@ -32,20 +35,31 @@ pub struct Layout {
     pub outermost: Vec<usize>,
     values: HashMap<Id, (Scope, usize)>,
     leaves: Vec<(Scope, bool, usize)>,
+    /// The degrees of the polynomials, all in the scope without loops.
+    polynomials: Vec<u32>,
 }
 
 impl Layout {
-    /// Storage for all surface values that the nodes under `roots` use, and for the leaves.
-    pub fn new(graph: &Graph, leaves: &[Leaf], roots: &[Id]) -> Layout {
+    /// Storage for all surface values that the nodes under `roots` use, for the leaves, and for polynomials (with their
+    /// degrees).
+    pub fn new(
+        graph: &Graph,
+        form: Form,
+        leaves: &[Leaf],
+        polynomials: &[(Id, u32)],
+        roots: &[Id],
+    ) -> Layout {
         let outermost = (0..graph.folds.len())
             .filter(|&f| graph.chain(f) == Scope::of(f))
             .collect();
         let mut layout = Layout {
+            form,
             top: Store::default(),
             rows: Vec::new(),
             outermost,
             values: HashMap::new(),
             leaves: Vec::new(),
+            polynomials: polynomials.iter().map(|p| p.1).collect(),
         };
         for fold in 0..graph.folds.len() {
             layout.store(graph.chain(fold));
@@ -54,12 +68,13 @@ impl Layout {
             .iter()
             .copied()
             .chain(leaves.iter().map(|l| l.node))
+            .chain(polynomials.iter().map(|p| p.0))
             .collect();
         for &id in &nodes {
             layout.keep(graph, id);
         }
-        for id in graph.reachable(&nodes, |id| !graph.varies(id)) {
-            if graph.varies(id) {
+        for id in graph.reachable(&nodes, |id| form.ready(graph, id)) {
+            if !form.ready(graph, id) {
                 for operand in operands(graph.op(id)) {
                     layout.keep(graph, operand);
                 }
@@ -98,8 +113,17 @@ impl Layout {
         &mut self.rows[index].1
     }
 
+    /// All values of the surface stage.
+    pub fn surface_values(&self) -> impl Iterator<Item = Id> {
+        let stores = std::iter::once(&self.top).chain(self.rows.iter().map(|r| &r.1));
+        stores.flat_map(|s| s.values.iter().copied())
+    }
+
     fn keep(&mut self, graph: &Graph, id: Id) {
-        if graph.varies(id) || graph.literal(id).is_some() || self.values.contains_key(&id) {
+        if !self.form.ready(graph, id)
+            || graph.literal(id).is_some()
+            || self.values.contains_key(&id)
+        {
             return;
         }
         let scope = graph.info(id).scope;
@@ -161,6 +185,22 @@ impl Layout {
         quote!(bound.#field)
     }
 
+    /// `bound.7.0`: a polynomial in the tuple `Bound`.
+    pub fn polynomial(&self, k: usize) -> TokenStream {
+        let (all, k) = (
+            Literal::usize_unsuffixed(3 + self.rows.len()),
+            Literal::usize_unsuffixed(k),
+        );
+        quote!(bound.#all.#k)
+    }
+
+    /// How many coefficients each polynomial has.
+    pub fn coefficients(&self) -> impl Iterator<Item = Literal> {
+        self.polynomials
+            .iter()
+            .map(|d| Literal::usize_unsuffixed(*d as usize + 1))
+    }
+
     /// How many rows a fold has, once the loops around it are entered.
     pub fn length(&self, graph: &Graph, fold: usize) -> TokenStream {
         let chain = graph.chain(fold);
@@ -200,7 +240,13 @@ impl Layout {
             let row = leaves_type(store);
             nested(*scope, quote!((#row)))
         });
-        quote!((#top __zeroset::Vec<__zeroset::Vec<__zeroset::primitive::u32>>, #(#rows,)*))
+        let lengths = self.coefficients();
+        quote!((
+            #top
+            __zeroset::Vec<__zeroset::Vec<__zeroset::primitive::u32>>,
+            #(#rows,)*
+            (#(L::Polynomial<#lengths>,)*),
+        ))
     }
 }
 

@@ -9,35 +9,41 @@ mod rebind;
 mod report;
 mod rows;
 mod scalar;
+mod series;
 mod stages;
 mod text;
 
 pub use item::{FieldHead, definition};
 
+use crate::form::Form;
 use crate::front::Head;
-use crate::graph::{Graph, Id, Op};
+use crate::graph::{Graph, Id};
 use crate::lower::{Lowering, TooLarge};
 use crate::stage::Staged;
 use crate::tree::Formula;
 use layout::Layout;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
+use report::{Counts, Facts};
 use stages::Compiled;
 
 /// The code of a formula without errors. `root` is the path of the runtime's crate.
-pub fn surface(formula: &Formula, root: &TokenStream) -> Result<TokenStream, TooLarge> {
+pub fn surface(formula: &Formula, root: &TokenStream, form: Form) -> Result<TokenStream, TooLarge> {
     let name = formula
         .name
         .clone()
         .unwrap_or_else(|| Ident::new("Implicit", Span::mixed_site()));
     let heads: Vec<FieldHead> = formula.fields.iter().map(FieldHead::from).collect();
     if formula.name.is_some() {
-        let implementation = implementation(formula, &name, root, &item::default(formula, &name))?;
-        let definition = definition(&formula.attributes, &formula.visibility, &name, &heads);
+        let (implementation, page) =
+            implementation(formula, &name, root, form, &item::default(formula, &name))?;
+        let mut attributes = formula.attributes.clone();
+        attributes.extend(page.lines().map(|line| quote!(#[doc = #line])));
+        let definition = definition(&attributes, &formula.visibility, &name, &heads);
         let setters = item::setters(&name, &heads);
         return Ok(quote!(#definition #implementation #setters));
     }
-    let implementation = implementation(formula, &name, root, &TokenStream::new())?;
+    let (implementation, _) = implementation(formula, &name, root, form, &TokenStream::new())?;
     let definition = definition(
         &quote!(#[derive(Clone, Debug)]),
         &TokenStream::new(),
@@ -61,26 +67,31 @@ pub fn placeholder(head: &Head, root: &TokenStream) -> TokenStream {
     let setters = item::setters(&head.name, &heads);
     let default = item::placeholder_default(head);
     let empty = Formula::coordinate(head.name.clone());
-    let implementation = implementation(&empty, &head.name, root, &default).unwrap_or_default();
+    let (implementation, _) =
+        implementation(&empty, &head.name, root, Form::Staged, &default).unwrap_or_default();
     quote!(#definition #implementation #setters)
 }
 
+/// The implementation of `Surface`, and a section of documentation.
 fn implementation(
     formula: &Formula,
     name: &Ident,
     root: &TokenStream,
+    form: Form,
     default: &TokenStream,
-) -> Result<TokenStream, TooLarge> {
+) -> Result<(TokenStream, String), TooLarge> {
     let mut lowering = Lowering::new(formula);
     let value = lowering.root()?;
     let mut graph = lowering.graph;
     let space = derivatives(&mut graph, value);
-    let staged = Staged::new(&mut graph, value);
+    let counts = Counts::new(&graph, value, &space);
+    let staged = Staged::in_form(&mut graph, value, form);
     let mut roots = space.clone();
     roots.extend(staged.jet.iter().flatten());
-    let layout = Layout::new(&graph, &staged.leaves, &roots);
+    roots.extend(staged.over.iter().flatten());
+    let layout = Layout::new(&graph, form, &staged.leaves, &staged.polynomials, &roots);
     let fields: Vec<Ident> = formula.fields.iter().map(|f| f.name.clone()).collect();
-    let partial = surface_values(&layout).any(|id| !graph.info(id).total);
+    let partial = layout.surface_values().any(|id| !graph.info(id).total);
     let compiled = Compiled {
         graph: &graph,
         layout: &layout,
@@ -91,8 +102,9 @@ fn implementation(
         partial,
     };
     let text = name.to_string();
-    let members = members(&compiled, formula, &text)?;
-    Ok(quote! {
+    let facts = Facts::new(&compiled, &counts);
+    let members = members(&compiled, &facts, formula, &text)?;
+    let code = quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         const _: () = {
             use #root::__private as __zeroset;
@@ -103,10 +115,16 @@ fn implementation(
             }
             #default
         };
-    })
+    };
+    Ok((code, facts.page()))
 }
 
-fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<TokenStream, TooLarge> {
+fn members(
+    compiled: &Compiled,
+    facts: &Facts,
+    formula: &Formula,
+    surface: &str,
+) -> Result<TokenStream, TooLarge> {
     let (prepared, bound) = (
         compiled.layout.prepared_type(),
         compiled.layout.bound_type(),
@@ -121,11 +139,7 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
         compiled.segment("curvature", 3),
     ];
     let space = [compiled.space("gradient", 4), compiled.space("hessian", 10)];
-    let report = report::report(compiled, surface, &segment, &space);
-    let (along, in_space) = (
-        segment.iter().map(|f| &f.code),
-        space.iter().map(|f| &f.code),
-    );
+    let report = facts.constant(surface);
     let quadric = compiled.quadric();
     Ok(quote! {
         #report
@@ -138,30 +152,19 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
         #everything
         #bind
         #rebind
-        #(#along)*
-        #(#in_space)*
+        #(#segment)*
+        #(#space)*
         #quadric
     })
 }
 
 /// f, its gradient, and the upper triangle of its Hessian, by rows.
 fn derivatives(graph: &mut Graph, value: Id) -> Vec<Id> {
-    let axes: Vec<Id> = (0..3).map(|k| graph.input(Op::Coordinate(k))).collect();
-    let gradient = graph.gradient(value, &axes);
+    let gradient = graph.gradient(value);
     let mut all = vec![value];
     all.extend(&gradient);
     for (k, row) in gradient.iter().enumerate() {
-        let second = graph.gradient(*row, &axes);
-        all.extend(second.iter().skip(k));
+        all.extend(graph.gradient(*row).into_iter().skip(k));
     }
     all
-}
-
-fn surface_values(layout: &Layout) -> impl Iterator<Item = Id> {
-    layout
-        .top
-        .values
-        .iter()
-        .chain(layout.rows.iter().flat_map(|r| r.1.values.iter()))
-        .copied()
 }

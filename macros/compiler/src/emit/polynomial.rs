@@ -82,13 +82,7 @@ impl Target for Polynomial<'_> {
     }
 
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
-        // The leaves of the rows are being made: only the prepared rows are there.
-        let active = self.layout.active(fold);
-        let (header, start) = enter_rows(self.graph, self.layout, fold, scope, false);
-        match active {
-            None => (header, start),
-            Some(list) => enter_active(fold, &list, start),
-        }
+        enter_leaves(self.graph, self.layout, fold, scope)
     }
 
     fn accumulate(
@@ -107,6 +101,20 @@ impl Target for Polynomial<'_> {
 
     fn finish(&mut self, _: Id, value: Coefficients, _: &mut TokenStream) -> Coefficients {
         value
+    }
+}
+
+/// A loop over rows whose leaves are being made: only the prepared rows are there.
+pub fn enter_leaves(
+    graph: &Graph,
+    layout: &Layout,
+    fold: usize,
+    scope: Scope,
+) -> (TokenStream, TokenStream) {
+    let (header, start) = enter_rows(graph, layout, fold, scope, false);
+    match layout.active(fold) {
+        None => (header, start),
+        Some(list) => enter_active(fold, &list, start),
     }
 }
 

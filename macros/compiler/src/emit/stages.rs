@@ -5,7 +5,8 @@ use super::enclosure::enter_rows;
 use super::enclosure::{Enclosure, Stage, Value, enter_fields};
 use super::layout::Layout;
 use super::polynomial::{Polynomial, enter_active};
-use crate::graph::{Graph, Id, Scope};
+use super::series::Series;
+use crate::graph::{Graph, Id, Op, Scope};
 use crate::stage::Staged;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -29,14 +30,6 @@ pub struct Compiled<'a> {
     pub partial: bool,
 }
 
-/// A function with the operations that it holds.
-pub struct Counted {
-    /// The function.
-    pub code: TokenStream,
-    /// Interval operations, bodies of loops counted once.
-    pub operations: u32,
-}
-
 impl Compiled<'_> {
     fn enclosure(&self, stage: Stage) -> Enclosure<'_> {
         Enclosure {
@@ -44,7 +37,6 @@ impl Compiled<'_> {
             layout: self.layout,
             stage,
             fields: self.fields,
-            operations: 0,
         }
     }
 
@@ -144,6 +136,9 @@ impl Compiled<'_> {
             .iter()
             .map(|_| quote!(__zeroset::Vec::new()));
         let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k));
+        let lengths = self.layout.coefficients();
+        let room = quote!((#(L::polynomial::<#lengths>(p),)*));
+        let polynomials = self.bind_polynomials();
         quote! {
             #[inline(always)]
             fn unbound<L: __zeroset::Leaves>(p: L::Packet) -> Self::Bound<L> {
@@ -152,6 +147,7 @@ impl Compiled<'_> {
                     [L::quadratic(p); #quadratic],
                     __zeroset::vec![__zeroset::Vec::new(); #lists],
                     #(#new,)*
+                    #room,
                 )
             }
 
@@ -169,6 +165,7 @@ impl Compiled<'_> {
                 )*
                 #top
                 #(#rows)*
+                #polynomials
             }
         }
     }
@@ -254,13 +251,75 @@ impl Compiled<'_> {
         code
     }
 
+    /// The coefficients of polynomials of higher degree, around the middle of the rays.
+    fn bind_polynomials(&self) -> TokenStream {
+        let nodes: Vec<Id> = self.staged.polynomials.iter().map(|p| p.0).collect();
+        if nodes.is_empty() {
+            return TokenStream::new();
+        }
+        let mut target = Series {
+            graph: self.graph,
+            layout: self.layout,
+        };
+        let mut body = TokenStream::new();
+        let values = block(
+            self.graph,
+            &mut target,
+            Scope::default(),
+            &nodes,
+            &mut HashMap::new(),
+            &mut body,
+        );
+        let places = (0..values.len()).map(|k| self.layout.polynomial(k));
+        quote! {
+            let (half, middle) = rays.middle(a);
+            #body
+            #(#places = __zeroset::Polynomial::new(a, half, &#values);)*
+        }
+    }
+
+    /// The polynomials over the segment `t`, if this parameter is one: then the function ends here.
+    fn over(&self, n: usize) -> TokenStream {
+        let Some(jet) = &self.staged.over else {
+            return TokenStream::new();
+        };
+        let mut known = HashMap::new();
+        let mut names: Vec<Vec<Ident>> = vec![Vec::new(); self.staged.polynomials.len()];
+        let targets: Vec<Id> = jet.iter().take(n).copied().collect();
+        for (k, all) in names.iter_mut().enumerate() {
+            *all = (0..n).map(|order| format_ident!("p{k}_{order}")).collect();
+        }
+        let mut start = TokenStream::new();
+        for id in self.graph.reachable(&targets, |_| false) {
+            if let Op::Polynomial(k, order) = *self.graph.op(id)
+                && let Some(name) = names.get(k).and_then(|all| all.get(usize::from(order)))
+            {
+                if self.graph.nonnegative(id) {
+                    start.extend(quote!(let #name = a.nonneg(#name);));
+                }
+                let name = name.clone();
+                known.insert(id, Value { name, flags: None });
+            }
+        }
+        let (body, jet) = self.jet(&mut self.enclosure(Stage::Segment), &targets, 1, known);
+        let places = (0..names.len()).map(|k| self.layout.polynomial(k));
+        quote! {
+            if let (#(__zeroset::Option::Some([#(#names),*]),)*) = (#(t.polynomial(a, &#places),)*) {
+                #start
+                #body
+                return #jet;
+            }
+        }
+    }
+
     /// `value`, `slope` or `curvature`: the first `n` derivatives along the ray.
-    pub fn segment(&self, name: &str, n: usize) -> Counted {
+    pub fn segment(&self, name: &str, n: usize) -> TokenStream {
         let targets: Vec<Id> = self.staged.jet.iter().take(n).flatten().copied().collect();
         let mut target = self.enclosure(Stage::Segment);
-        let (body, jet) = self.jet(&mut target, &targets, 1);
+        let (body, jet) = self.jet(&mut target, &targets, 1, HashMap::new());
+        let over = self.over(n);
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
-        let code = quote! {
+        quote! {
             #[inline(always)]
             fn #name<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
                 a: A,
@@ -268,23 +327,20 @@ impl Compiled<'_> {
                 bound: &Self::Bound<T::Leaves>,
                 t: T,
             ) -> __zeroset::Jet<A::Value, A::Packet, #n> {
+                #over
                 #body
                 #jet
             }
-        };
-        Counted {
-            code,
-            operations: target.operations,
         }
     }
 
     /// `gradient` or `hessian`: the first `n` of the values in space.
-    pub fn space(&self, name: &str, n: usize) -> Counted {
+    pub fn space(&self, name: &str, n: usize) -> TokenStream {
         let targets: Vec<Id> = self.space.iter().take(n).copied().collect();
         let mut target = self.enclosure(Stage::Space);
-        let (body, jet) = self.jet(&mut target, &targets, 1);
+        let (body, jet) = self.jet(&mut target, &targets, 1, HashMap::new());
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
-        let code = quote! {
+        quote! {
             #[inline(always)]
             fn #name<A: __zeroset::Arithmetic>(
                 a: A,
@@ -294,23 +350,19 @@ impl Compiled<'_> {
                 #body
                 #jet
             }
-        };
-        Counted {
-            code,
-            operations: target.operations,
         }
     }
 
     /// Code for a value and its derivatives, and the `Jet` of them. The first `values` targets are the function itself:
-    /// only they can say that it is *empty*.
+    /// only they can say that it is *empty*. `known` is there already.
     fn jet(
         &self,
         target: &mut Enclosure,
         targets: &[Id],
         values: usize,
+        mut known: HashMap<Id, Value>,
     ) -> (TokenStream, TokenStream) {
         let mut body = TokenStream::new();
-        let mut known = HashMap::new();
         let all = block(
             self.graph,
             target,

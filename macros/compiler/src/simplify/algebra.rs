@@ -1,28 +1,9 @@
 //! Sums, products, quotients and powers.
 
 use crate::exact::Rational;
-use crate::graph::{Graph, Id, Op, Sign};
+use crate::graph::{Graph, Id, Op};
+use crate::range::Range;
 use crate::tree::FoldKind;
-
-fn opposite(s: Sign) -> Sign {
-    match s {
-        Sign::Unknown => Sign::Unknown,
-        Sign::NonNegative => Sign::NonPositive,
-        Sign::NonPositive => Sign::NonNegative,
-    }
-}
-
-fn sign_of_product(a: Sign, b: Sign) -> Sign {
-    match (a, b) {
-        (Sign::Unknown, _) | (_, Sign::Unknown) => Sign::Unknown,
-        (a, b) if a == b => Sign::NonNegative,
-        _ => Sign::NonPositive,
-    }
-}
-
-fn sign_of_sum(a: Sign, b: Sign) -> Sign {
-    if a == b { a } else { Sign::Unknown }
-}
 
 impl Graph {
     /// −a
@@ -30,16 +11,19 @@ impl Graph {
         match self.op(a).clone() {
             _ if !self.rewrites() => self.plain_negate(a),
             Op::Literal(r) => self.number(-r),
-            Op::Negate(inner) => inner,
-            Op::Subtract(b, c) => self.subtract(c, b),
+            Op::Negate(inner) => self.by("--a = a", inner),
+            Op::Subtract(b, c) => {
+                let id = self.subtract(c, b);
+                self.by("-(a - b) = b - a", id)
+            }
             _ => self.plain_negate(a),
         }
     }
 
     fn plain_negate(&mut self, a: Id) -> Id {
         let info = self.info(a);
-        let (degree, sign) = (info.degree, opposite(info.sign));
-        self.node(Op::Negate(a), degree, sign, false)
+        let (degree, range) = (info.degree, info.range.negated());
+        self.node(Op::Negate(a), degree, range)
     }
 
     /// a + b
@@ -49,21 +33,28 @@ impl Graph {
             _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
                 if let Some(id) = self.exact(&x + &y) {
-                    return id;
+                    return self.by("literals", id);
                 }
             }
-            (Op::Literal(x), _) if x.is_zero() => return b,
-            (_, Op::Literal(y)) if y.is_zero() => return a,
-            (_, Op::Negate(y)) => return self.subtract(a, y),
-            (Op::Negate(x), _) => return self.subtract(b, x),
+            (Op::Literal(x), _) if x.is_zero() => return self.by("0 + a = a", b),
+            (_, Op::Literal(y)) if y.is_zero() => return self.by("0 + a = a", a),
+            (_, Op::Negate(y)) => {
+                let id = self.subtract(a, y);
+                return self.by("a + -b = a - b", id);
+            }
+            (Op::Negate(x), _) => {
+                let id = self.subtract(b, x);
+                return self.by("a + -b = a - b", id);
+            }
             _ if a == b => {
                 let two = self.integer(2);
-                return self.multiply(two, a);
+                let id = self.multiply(two, a);
+                return self.by("a + a = 2a", id);
             }
             _ => {}
         }
-        let sign = sign_of_sum(self.info(a).sign, self.info(b).sign);
-        self.node(Op::Add(a, b), self.degree_of_sum(a, b), sign, false)
+        let range = self.range(a).plus(self.range(b));
+        self.node(Op::Add(a, b), self.degree_of_sum(a, b), range)
     }
 
     /// a − b
@@ -72,17 +63,26 @@ impl Graph {
             _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
                 if let Some(id) = self.exact(&x - &y) {
-                    return id;
+                    return self.by("literals", id);
                 }
             }
-            (Op::Literal(x), _) if x.is_zero() => return self.negate(b),
-            (_, Op::Literal(y)) if y.is_zero() => return a,
-            (_, Op::Negate(y)) => return self.add(a, y),
-            _ if a == b && self.info(a).total => return self.integer(0),
+            (Op::Literal(x), _) if x.is_zero() => {
+                let id = self.negate(b);
+                return self.by("0 - a = -a", id);
+            }
+            (_, Op::Literal(y)) if y.is_zero() => return self.by("a - 0 = a", a),
+            (_, Op::Negate(y)) => {
+                let id = self.add(a, y);
+                return self.by("a - -b = a + b", id);
+            }
+            _ if a == b && self.info(a).total => {
+                let id = self.integer(0);
+                return self.by("a - a = 0", id);
+            }
             _ => {}
         }
-        let sign = sign_of_sum(self.info(a).sign, opposite(self.info(b).sign));
-        self.node(Op::Subtract(a, b), self.degree_of_sum(a, b), sign, false)
+        let range = self.range(a).plus(self.range(b).negated());
+        self.node(Op::Subtract(a, b), self.degree_of_sum(a, b), range)
     }
 
     fn degree_of_sum(&self, a: Id, b: Id) -> Option<u32> {
@@ -96,46 +96,67 @@ impl Graph {
             _ if !self.rewrites() => {}
             (Op::Literal(x), Op::Literal(y)) => {
                 if let Some(id) = self.exact(&x * &y) {
-                    return id;
+                    return self.by("literals", id);
                 }
             }
-            (Op::Literal(x), _) if x.is_zero() && self.info(b).total => return a,
-            (_, Op::Literal(y)) if y.is_zero() && self.info(a).total => return b,
-            _ if self.is_one(a) => return b,
-            _ if self.is_one(b) => return a,
-            _ if self.is(a, -1) => return self.negate(b),
-            _ if self.is(b, -1) => return self.negate(a),
-            (Op::Negate(x), Op::Negate(y)) => return self.multiply(x, y),
+            (Op::Literal(x), _) if x.is_zero() && self.info(b).total => {
+                return self.by("0a = 0", a);
+            }
+            (_, Op::Literal(y)) if y.is_zero() && self.info(a).total => {
+                return self.by("0a = 0", b);
+            }
+            _ if self.is_one(a) => return self.by("1a = a", b),
+            _ if self.is_one(b) => return self.by("1a = a", a),
+            _ if self.is(a, -1) => {
+                let id = self.negate(b);
+                return self.by("-1a = -a", id);
+            }
+            _ if self.is(b, -1) => {
+                let id = self.negate(a);
+                return self.by("-1a = -a", id);
+            }
+            (Op::Negate(x), Op::Negate(y)) => {
+                let id = self.multiply(x, y);
+                return self.by("(-a)(-b) = ab", id);
+            }
             // A sign moves outward, where sums absorb it; literals absorb it at once.
             (Op::Literal(x), Op::Negate(y)) => {
                 let c = self.number(-x);
-                return self.multiply(c, y);
+                let id = self.multiply(c, y);
+                return self.by("c(-a) = (-c)a", id);
             }
             (Op::Negate(x), Op::Literal(y)) => {
                 let c = self.number(-y);
-                return self.multiply(x, c);
+                let id = self.multiply(x, c);
+                return self.by("c(-a) = (-c)a", id);
             }
             (Op::Negate(x), _) => {
                 let p = self.multiply(x, b);
-                return self.negate(p);
+                let id = self.negate(p);
+                return self.by("(-a)b = -(ab)", id);
             }
             (_, Op::Negate(y)) => {
                 let p = self.multiply(a, y);
-                return self.negate(p);
+                let id = self.negate(p);
+                return self.by("(-a)b = -(ab)", id);
             }
             (Op::Literal(x), Op::Multiply(p, q)) | (Op::Multiply(p, q), Op::Literal(x)) => {
                 if let Some((c, rest)) = self.literal_factor(p, q)
                     && let Some(id) = self.exact(&x * &c)
                 {
-                    return self.multiply(id, rest);
+                    let id = self.multiply(id, rest);
+                    return self.by("c(da) = (cd)a", id);
                 }
             }
-            _ if a == b => return self.power(a, 2),
+            _ if a == b => {
+                let id = self.power(a, 2);
+                return self.by("aa = a^2", id);
+            }
             _ => {}
         }
-        let sign = sign_of_product(self.info(a).sign, self.info(b).sign);
+        let range = self.range(a).times(self.range(b));
         let degree = self.degree_of_product(a, b);
-        self.node(Op::Multiply(a, b), degree, sign, false)
+        self.node(Op::Multiply(a, b), degree, range)
     }
 
     fn literal_factor(&self, p: Id, q: Id) -> Option<(Rational, Id)> {
@@ -154,15 +175,17 @@ impl Graph {
             && let Some(inverse) = y.reciprocal()
             && let Some(inverse) = self.exact(inverse)
         {
-            return self.multiply(inverse, a);
+            let id = self.multiply(inverse, a);
+            return self.by("a/c = (1/c)a", id);
         }
         // One reciprocal at the surface stage serves all rays, and keeps polynomials polynomial.
         if self.rewrites() && !self.varies(b) && self.varies(a) {
             let inverse = self.reciprocal(b);
-            return self.multiply(a, inverse);
+            let id = self.multiply(a, inverse);
+            return self.by("a/s = a(1/s)", id);
         }
-        let sign = sign_of_product(self.info(a).sign, self.info(b).sign);
-        self.node(Op::Divide(a, b), None, sign, true)
+        let range = self.range(a).times(self.range(b).inverse());
+        self.node(Op::Divide(a, b), None, range)
     }
 
     /// 1/a
@@ -175,36 +198,40 @@ impl Graph {
     pub fn power(&mut self, a: Id, n: u32) -> Id {
         match (self.op(a).clone(), n) {
             _ if !self.rewrites() => {}
-            (_, 1) => return a,
-            (_, 0) if self.info(a).total => return self.integer(1),
+            (_, 1) => return self.by("a^1 = a", a),
+            (_, 0) if self.info(a).total => {
+                let id = self.integer(1);
+                return self.by("a^0 = 1", id);
+            }
             (Op::Literal(x), _) => {
                 let bits = x.bits();
                 if bits.saturating_mul(n.into()) <= 2 * super::LITERAL_BITS
                     && let Some(power) = i32::try_from(n).ok().and_then(|n| x.power(n))
                     && let Some(id) = self.exact(power)
                 {
-                    return id;
+                    return self.by("literals", id);
                 }
             }
-            (Op::Negate(x), _) if n.is_multiple_of(2) => return self.power(x, n),
+            (Op::Negate(x), _) if n.is_multiple_of(2) => {
+                let id = self.power(x, n);
+                return self.by("(-a)^2n = a^2n", id);
+            }
             (Op::Unary(crate::functions::Function::Abs, x), _) if n.is_multiple_of(2) => {
-                return self.power(x, n);
+                let id = self.power(x, n);
+                return self.by("|a|^2n = a^2n", id);
             }
             (Op::Power(x, m), _) => {
                 if let Some(k) = m.checked_mul(n) {
-                    return self.power(x, k);
+                    let id = self.power(x, k);
+                    return self.by("(a^m)^n = a^mn", id);
                 }
             }
             _ => {}
         }
         let info = self.info(a);
         let degree = info.degree.and_then(|d| d.checked_mul(n));
-        let sign = if n.is_multiple_of(2) {
-            Sign::NonNegative
-        } else {
-            info.sign
-        };
-        self.node(Op::Power(a, n), degree, sign, false)
+        let range = info.range.power(n);
+        self.node(Op::Power(a, n), degree, range)
     }
 
     /// a^b for any b: whole exponents are powers or their reciprocals, halves go through the square root (the same
@@ -241,7 +268,7 @@ impl Graph {
 
     /// exp(b·ln a) on a > 0, and 0 for a = 0 < b.
     pub fn real_power(&mut self, a: Id, b: Id) -> Id {
-        self.node(Op::RealPower(a, b), None, Sign::NonNegative, true)
+        self.node(Op::RealPower(a, b), None, Range::NONNEGATIVE)
     }
 
     /// The number of an expression of literals. Simplified, it is one literal already.
@@ -264,7 +291,7 @@ impl Graph {
         };
         let (first, order) = (*first, rest.len());
         if self.rewrites() && kind == FoldKind::Sum && self.is_zero(first) {
-            return first;
+            return self.by("sum of 0 = 0", first);
         }
         if self.rewrites() && order > 0 && rest.iter().all(|d| self.is_zero(*d)) {
             return self.integer(0);
@@ -275,10 +302,12 @@ impl Graph {
         } else {
             None
         };
-        let sign = match (kind, order) {
-            (FoldKind::Product, 0) if info.sign == Sign::NonPositive => Sign::Unknown,
-            (_, 0) => info.sign,
-            _ => Sign::Unknown,
+        let range = match (kind, order) {
+            // Extremes are values of a row; sums and products have any number of rows, or none.
+            (FoldKind::Minimum | FoldKind::Maximum, 0) => info.range,
+            (_, 0) if info.range.is_nonnegative() => Range::NONNEGATIVE,
+            (FoldKind::Sum, 0) if info.range.is_nonpositive() => Range::NONNEGATIVE.negated(),
+            _ => Range::LINE,
         };
         let op = Op::Fold(kind, fold, args);
         let (total, scope) = self.of_operands(&op);
@@ -288,7 +317,7 @@ impl Graph {
         let scope = crate::graph::Scope(scope.without(fold).0 | outer.0);
         self.intern(op, |_| crate::graph::Info {
             degree,
-            sign,
+            range,
             total,
             scope,
         })

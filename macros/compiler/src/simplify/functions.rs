@@ -2,7 +2,7 @@
 
 use crate::exact::Rational;
 use crate::functions::Function;
-use crate::graph::{Graph, Id, Op, Sign};
+use crate::graph::{Graph, Id, Op};
 
 impl Graph {
     /// A function of one argument.
@@ -11,16 +11,22 @@ impl Graph {
             && self.rewrites()
             && let Some(value) = exact_value(f, &r)
         {
-            return self.number(value);
+            let id = self.number(value);
+            return self.by("f(literal)", id);
         }
-        match (f, self.info(a).sign, self.op(a).clone()) {
+        let range = self.range(a);
+        match (f, self.op(a).clone()) {
             // No operation of its own.
-            (Function::Recip, _, _) => return self.reciprocal(a),
+            (Function::Recip, _) => return self.reciprocal(a),
             _ if !self.rewrites() => {}
-            (Function::Abs, Sign::NonNegative, _) => return a,
-            (Function::Abs, Sign::NonPositive, _) => return self.negate(a),
-            (Function::Abs | Function::Cos | Function::Cosh, _, Op::Negate(b)) => {
-                return self.unary(f, b);
+            (Function::Abs, _) if range.is_nonnegative() => return self.by("|a| = a", a),
+            (Function::Abs, _) if range.is_nonpositive() => {
+                let id = self.negate(a);
+                return self.by("|a| = -a", id);
+            }
+            (Function::Abs | Function::Cos | Function::Cosh, Op::Negate(b)) => {
+                let id = self.unary(f, b);
+                return self.by("f(-a) = f(a)", id);
             }
             // Odd functions: the sign moves outward.
             (
@@ -33,47 +39,40 @@ impl Graph {
                 | Function::Asinh
                 | Function::Atanh
                 | Function::Cbrt,
-                _,
                 Op::Negate(b),
             ) => {
                 let value = self.unary(f, b);
-                return self.negate(value);
+                let id = self.negate(value);
+                return self.by("f(-a) = -f(a)", id);
             }
             _ => {}
         }
-        let sign = sign_of_value(f, self.info(a).sign);
-        let partial = match f {
-            // The compiler may know that the argument is in the domain.
-            Function::Sqrt => !self.nonnegative(a),
-            _ => !f.entry().total,
-        };
-        self.node(Op::Unary(f, a), None, sign, partial)
+        self.node(Op::Unary(f, a), None, range.mapped(f))
     }
 
     /// `min`, `max`, `hypot`, `atan2`.
     pub fn binary(&mut self, f: Function, a: Id, b: Id) -> Id {
         if self.rewrites()
             && matches!(f, Function::Min | Function::Max)
-            && let (Some(x), Some(y)) = (self.literal(a), self.literal(b))
+            && let Some(known) = self.extreme(f == Function::Min, a, b)
         {
-            return if (x < y) == (f == Function::Min) {
-                a
-            } else {
-                b
-            };
+            return self.by("min, max decided", known);
         }
-        if self.rewrites() && matches!(f, Function::Min | Function::Max) && a == b {
-            return a;
-        }
-        let (p, q) = (self.info(a).sign, self.info(b).sign);
-        let sign = match f {
-            Function::Hypot => Sign::NonNegative,
-            Function::Max if p == Sign::NonNegative || q == Sign::NonNegative => Sign::NonNegative,
-            Function::Min if p == Sign::NonPositive || q == Sign::NonPositive => Sign::NonPositive,
-            Function::Max | Function::Min if p == q => p,
-            _ => Sign::Unknown,
+        let range = self.range(a).mapped_with(f, self.range(b));
+        self.node(Op::Binary(f, a, b), None, range)
+    }
+
+    /// The operand that the minimum or the maximum is, if that is certain and the other one is always defined.
+    fn extreme(&self, least: bool, a: Id, b: Id) -> Option<Id> {
+        let below = |a: Id, b: Id| self.range(a).hi <= self.range(b).lo;
+        let (wins, other) = match (a == b, below(a, b), below(b, a)) {
+            (true, ..) => return Some(a),
+            (_, true, _) => (a, b),
+            (_, _, true) => (b, a),
+            _ => return None,
         };
-        self.node(Op::Binary(f, a, b), None, sign, !f.entry().total)
+        let (wins, other) = if least { (wins, other) } else { (other, wins) };
+        self.info(other).total.then_some(wins)
     }
 }
 
@@ -111,26 +110,4 @@ fn whole(n: i64) -> Rational {
 
 fn is(r: &Rational, n: i64) -> bool {
     *r == whole(n)
-}
-
-fn sign_of_value(f: Function, a: Sign) -> Sign {
-    match f {
-        Function::Sqrt
-        | Function::Abs
-        | Function::Exp
-        | Function::Exp2
-        | Function::Cosh
-        | Function::Acos => Sign::NonNegative,
-        Function::Acosh => Sign::NonNegative,
-        Function::Cbrt
-        | Function::Atan
-        | Function::Asin
-        | Function::Sinh
-        | Function::Tanh
-        | Function::Asinh
-        | Function::Atanh
-        | Function::ExpM1
-        | Function::Ln1p => a,
-        _ => Sign::Unknown,
-    }
 }
