@@ -12,7 +12,7 @@
 //! computed, ρₖ = rₖ + (6n + 16)u|cₖ|, and its derivatives within the derivatives of that sum by σ. A product that
 //! underflows is off by 2⁻¹⁰⁷⁴, which the tiny part of ρₖ covers; w ≥ 2⁻⁸⁰, so that its powers do not.
 
-use super::{Interval, Packet, Routine};
+use super::{Interval, Packet, Rounding, Routine};
 
 /// A polynomial of degree N − 1 in s = t − middle, known to within Σ ρₖ|s|ᵏ.
 #[derive(Clone, Copy)]
@@ -46,7 +46,7 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
             let m = p.add_rn(p.mul_rn(half, c[k].lo), p.mul_rn(half, c[k].hi));
             let r = p.max_f(p.sub_ru(c[k].hi, m), p.sub_ru(m, c[k].lo));
             made.c[k] = m;
-            if P::DIRECTED {
+            if P::Rounding::ON {
                 made.rho[k] = p.fma_rn(p.fma_rn(p.abs_f(m), gamma, r), more, tiny);
             }
             k += 1;
