@@ -29,6 +29,7 @@
 //!
 //! - [`implicit!`] and [`Surface`]: formulas. [How to write them](guide::writing_formulas), and
 //!   [what the errors say](guide::reading_the_errors). [What is proved](guide::what_is_proved), and what would notice.
+//! - [`solid`]: intersections, unions and differences of surfaces.
 //! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
 //! - [`interval`]: intervals, packets, back-ends, for those who want to look below.
@@ -49,6 +50,7 @@ pub mod ray;
 pub mod render;
 pub mod scene;
 pub mod shade;
+pub mod solid;
 pub mod solve;
 pub mod surface;
 mod trace;
@@ -59,6 +61,7 @@ pub use glam;
 pub use render::{Options, Rendering, render};
 pub use scene::Scene;
 pub use shade::Shading;
+pub use solid::{Operand, Solid};
 pub use surface::Surface;
 
 /// Compiles an implicit surface f(x, y, z) = 0 from its formula.

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
-use crate::scene::{Prepared, Scene, SceneError, hull};
+use crate::scene::{Label, Prepared, Scene, SceneError, hull};
 use crate::trace::Trail;
 use crate::verdict::{Answer, Verdict};
 use settle::settle;
@@ -72,7 +72,7 @@ pub fn render(scene: &Scene, camera: &Camera, options: &Options) -> Result<Rende
     }
 }
 
-/// All events along one ray against each surface of a scene, in ascending order.
+/// All events along one ray against each surface and each solid of a scene, in ascending order.
 ///
 /// Answers count t from their own entry into the surface's box.
 ///
@@ -119,6 +119,9 @@ pub(crate) struct Job<'a> {
     options: &'a Options<'a>,
     isa: Isa,
     names: Vec<&'static str>,
+    labels: Vec<Label>,
+    /// The index of each one's first label.
+    first: Vec<u16>,
     prepared: Vec<Box<dyn Prepared + 'a>>,
     boxes: Vec<[[f64; 3]; 2]>,
     /// The box around all boxes; nothing without surfaces.
@@ -149,6 +152,8 @@ impl<'a> Job<'a> {
             options,
             isa,
             names: scene.surfaces.iter().map(|s| s.name()).collect(),
+            labels: scene.labels().collect(),
+            first: scene.first_labels(),
             prepared: scene.surfaces.iter().map(|s| s.prepare()).collect(),
             boxes,
             domain,
@@ -206,7 +211,7 @@ impl<'a> Job<'a> {
             .collect();
         let mut statistics = Statistics::new(self.isa.name(), threads);
         statistics.elapsed = start.elapsed();
-        Rendering::new(picture, shards, self.names, statistics)
+        Rendering::new(picture, shards, self.labels, statistics)
     }
 
     /// Traces one tile.
@@ -234,14 +239,15 @@ impl<'a> Job<'a> {
             tile,
         });
         phases.rays = clock.elapsed();
-        for (index, (surface, own)) in self.prepared.iter().zip(&self.boxes).enumerate() {
-            surface.trace(self.isa, &options.settings, own, index as u16, tile);
+        let surfaces = self.prepared.iter().zip(&self.first);
+        for ((surface, &index), own) in surfaces.clone().zip(&self.boxes) {
+            surface.trace(self.isa, &options.settings, own, index, tile);
         }
         let specials = settle(tile);
         phases.roots = clock.elapsed() - phases.rays;
         if options.normals {
-            for (index, surface) in self.prepared.iter().enumerate() {
-                surface.normals(self.isa, index as u16, tile);
+            for (surface, &index) in surfaces {
+                surface.normals(self.isa, index, tile);
             }
         }
         phases.normals = clock.elapsed() - phases.rays - phases.roots;

@@ -3,11 +3,15 @@
 mod entries;
 mod normals;
 mod roots;
+mod survey;
 mod tile;
+mod trails;
 
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use roots::{AlongRay, Trail};
-pub(crate) use tile::TraceTile;
+pub(crate) use survey::{Beam, BeamOf, SideOfBoxes, Survey, eighth};
+pub(crate) use tile::{TraceTile, segment};
+pub(crate) use trails::{Mark, Trails, TrailsOfTile};
 
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};

@@ -101,7 +101,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
 
 /// The part of each ray that is still of interest, inside the surface's own box if that is not the scene's.
 #[inline(always)]
-fn segment<P: Packet>(
+pub(crate) fn segment<P: Packet>(
     p: P,
     packet: &PacketRays,
     own: Option<&[[f64; 3]; 2]>,

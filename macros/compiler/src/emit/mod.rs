@@ -91,6 +91,7 @@ fn implementation(
     };
     let text = name.to_string();
     let members = members(&compiled, formula, &text)?;
+    let operators = item::operators(name);
     Ok(quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         const _: () = {
@@ -100,6 +101,7 @@ fn implementation(
             impl __zeroset::Surface for #name {
                 #members
             }
+            #operators
             #default
         };
     })

@@ -1,0 +1,282 @@
+//! A solid in a scene.
+
+use super::leaf::PreparedLeaf;
+use super::span::Span8;
+use super::sweep::Face;
+use super::tile::Explorer;
+use super::tree::Node;
+use super::{Part, Solid};
+use crate::camera::Ray;
+use crate::interval::{Interval, Isa, Kernel, Packet};
+use crate::ray::Lines;
+use crate::render::tile::{Event, PacketRays, Tile};
+use crate::scene::{Label, Prepared, Trace};
+use crate::solve::{Evaluations, Settings};
+use crate::surface::ParameterError;
+use crate::trace::{BeamOf, Trail, segment};
+use crate::verdict::Verdict;
+
+impl Trace for Solid {
+    fn name(&self) -> &'static str {
+        "solid"
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let label = |part: &Part| Label {
+            name: part.leaf.name(),
+            colour: part.colour,
+        };
+        self.parts.iter().map(label).collect()
+    }
+
+    fn check(&self) -> Result<(), ParameterError> {
+        self.parts.iter().try_for_each(|part| part.leaf.check())
+    }
+
+    fn domain(&self) -> Option<[[f64; 3]; 2]> {
+        self.domain_of(&self.node)
+    }
+
+    fn prepare(&self) -> Box<dyn Prepared + '_> {
+        Box::new(self.ready())
+    }
+}
+
+impl Solid {
+    /// Runs the surface stages.
+    pub(super) fn ready(&self) -> PreparedSolid<'_> {
+        let mut node = self.node.clone();
+        node.sort(&|index| self.parts[index].leaf.cost());
+        PreparedSolid {
+            node,
+            leaves: self.parts.iter().map(|part| part.leaf.prepare()).collect(),
+        }
+    }
+
+    /// The box outside of which a node has no points, as far as its operands' boxes say.
+    fn domain_of(&self, node: &Node) -> Option<[[f64; 3]; 2]> {
+        match node {
+            Node::Leaf(index) => self.parts[*index].leaf.domain(),
+            Node::Not(_) => None,
+            Node::Both(parts) => {
+                let boxes = parts.iter().filter_map(|part| self.domain_of(part));
+                boxes.reduce(|a, b| {
+                    let low = [0, 1, 2].map(|k| a[0][k].max(b[0][k]));
+                    // Operands apart leave no box; one without volume does.
+                    [low, [0, 1, 2].map(|k| a[1][k].min(b[1][k]).max(low[k]))]
+                })
+            }
+            Node::Either(parts) => {
+                let boxes: Option<Vec<_>> = parts.iter().map(|part| self.domain_of(part)).collect();
+                crate::scene::hull(&boxes?)
+            }
+        }
+    }
+}
+
+/// A solid after its operands' surface stages.
+pub(super) struct PreparedSolid<'a> {
+    pub node: Node,
+    pub leaves: Vec<Box<dyn PreparedLeaf + 'a>>,
+}
+
+impl PreparedSolid<'_> {
+    /// The faces along each ray of a tile, in ascending order; nothing on a ray without any.
+    fn faces(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        tile: &mut Tile,
+        first_only: bool,
+        mut found: impl FnMut(&mut Tile, usize, usize, &[Face]),
+    ) {
+        let over = isa.run(Segments { domain, tile });
+        let Some(beam) = isa.run(BeamOf {
+            packets: &tile.packets,
+        }) else {
+            return;
+        };
+        let mut counts = Evaluations::default();
+        let explored = Explorer {
+            node: &self.node,
+            leaves: &self.leaves,
+            isa,
+            settings,
+            packets: &tile.packets,
+            beam: &beam,
+            counts: &mut counts,
+        }
+        .explore(&over);
+        tile.counts.add(&counts);
+        let Some(explored) = explored else { return };
+        for (packet, span) in over.iter().enumerate() {
+            for lane in 0..8 {
+                let ray = span.of(lane);
+                if ray.lo <= ray.hi {
+                    let faces = explored.faces(packet, lane, ray, first_only);
+                    if !faces.is_empty() {
+                        found(tile, packet, lane, &faces);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The part of each ray of a tile that is of interest.
+struct Segments<'a> {
+    domain: &'a [[f64; 3]; 2],
+    tile: &'a Tile,
+}
+
+impl Kernel for Segments<'_> {
+    type Output = Vec<Span8>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Vec<Span8> {
+        let own = (*self.domain != self.tile.domain).then_some(self.domain);
+        let span = |packet: &PacketRays| {
+            let (over, live) = segment(p, packet, own);
+            Span8 {
+                lo: p.to_array(over.lo),
+                hi: p.to_array(p.select(live, over.hi, p.splat(-1.0))),
+            }
+        };
+        self.tile.packets.iter().map(span).collect()
+    }
+}
+
+/// A tile with one ray.
+struct OneRay<'a> {
+    ray: &'a Ray,
+    domain: &'a [[f64; 3]; 2],
+}
+
+impl Kernel for OneRay<'_> {
+    type Output = Tile;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Tile {
+        let mut packet = PacketRays {
+            lines: Lines::same(self.ray),
+            ..PacketRays::default()
+        };
+        packet.enter(p, 1, self.domain);
+        Tile {
+            domain: *self.domain,
+            packets: vec![packet],
+            ..Tile::default()
+        }
+    }
+}
+
+impl Prepared for PreparedSolid<'_> {
+    fn trace(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        index: u16,
+        tile: &mut Tile,
+    ) {
+        self.faces(
+            isa,
+            settings,
+            domain,
+            tile,
+            true,
+            |tile, packet, lane, faces| {
+                for face in faces {
+                    let surface = index + face.leaf as u16;
+                    if keep(tile, packet, lane, face, surface) {
+                        break;
+                    }
+                }
+            },
+        );
+    }
+
+    fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
+        for (number, leaf) in (index..).zip(&self.leaves) {
+            leaf.normals(isa, number, tile);
+        }
+    }
+
+    fn along(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        ray: &Ray,
+        first_only: bool,
+    ) -> Trail {
+        let mut tile = isa.run(OneRay { ray, domain });
+        let end = tile.packets[0].limit[0];
+        if end < 0.0 {
+            return Trail::default();
+        }
+        let mut trail = Trail {
+            entry: tile.packets[0].record.entry[0],
+            end: Some(end),
+            ..Trail::default()
+        };
+        self.faces(
+            isa,
+            settings,
+            domain,
+            &mut tile,
+            first_only,
+            |_, _, _, faces| {
+                for face in faces {
+                    face.verdict.append(&mut trail.events);
+                    if first_only && face.verdict.is_certain_hit() {
+                        break;
+                    }
+                }
+            },
+        );
+        trail
+    }
+}
+
+/// Keeps a face, as far as it is not behind what the ray shows. Is it a certain hit, behind which nothing is of interest?
+/// Plain roots that are nearer than what is shown go into the record; the rest into the tile's list.
+fn keep(tile: &mut Tile, packet: usize, lane: usize, face: &Face, surface: u16) -> bool {
+    let rays = &mut tile.packets[packet];
+    let (record, bit) = (&mut rays.record, 1 << lane);
+    if let Verdict::Root { t } = face.verdict {
+        let old = Interval {
+            lo: record.lo[lane],
+            hi: record.hi[lane],
+        };
+        let nearer = t.lo < old.lo;
+        let apart = t.hi < old.lo || old.hi < t.lo;
+        if apart {
+            record.tied &= !bit;
+        } else {
+            record.tied |= bit;
+        }
+        if nearer {
+            record.shown |= bit;
+            (record.lo[lane], record.hi[lane]) = (t.lo, t.hi);
+            record.surface[lane] = surface;
+            record.tied |= u8::from(face.tied) << lane;
+        }
+        rays.limit[lane] = rays.limit[lane].min(t.hi);
+        return true;
+    }
+    record.special |= bit;
+    record.tied |= u8::from(face.tied && face.verdict.is_certain_hit()) << lane;
+    tile.events.push(Event {
+        packet: packet as u16,
+        lane: lane as u8,
+        surface,
+        verdict: face.verdict,
+    });
+    if let Verdict::Crossing { t } = face.verdict {
+        rays.limit[lane] = rays.limit[lane].min(t.hi);
+        return true;
+    }
+    false
+}
