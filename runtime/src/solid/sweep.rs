@@ -12,8 +12,10 @@ pub(super) struct Operand<'a> {
     /// Where it was traced; empty if it was not.
     pub searched: Interval,
     pub marks: &'a [Mark],
-    /// Its side where it was not traced, by pieces of the ray.
-    pub survey: [(Interval, Side); 8],
+    /// Its side in the gap that was reached, where it was traced.
+    pub side: Side,
+    /// Its side where it was not, by pieces of the ray.
+    pub survey: &'a [Side; 8],
 }
 
 /// An event of the solid.
@@ -36,24 +38,25 @@ struct Item<'a> {
 /// Up to so many operands that meet in one place are looked at in every order.
 const ORDERS: usize = 8;
 
-/// One ray.
+/// One ray after the other.
 pub(super) struct Sweep<'a> {
     pub node: &'a Node,
-    pub operands: &'a [Operand<'a>],
-    /// The side of each operand in the gap that was reached, where it was traced.
-    pub sides: Vec<Side>,
+    /// The pieces of a survey.
+    pub pieces: [Interval; 8],
+    /// The operands along the ray.
+    pub operands: Vec<Operand<'a>>,
     /// Is the first certain hit enough?
     pub first_only: bool,
     pub faces: Vec<Face>,
 }
 
-impl Sweep<'_> {
+impl<'a> Sweep<'a> {
     /// Goes along the ray. Marks that overlap form a cluster. Between clusters each operand has one certain side, and so
     /// has the solid.
     pub fn run(&mut self, over: Interval) {
-        let operands = self.operands;
-        let mut items: Vec<Item> = Vec::new();
-        for (leaf, operand) in operands.iter().enumerate() {
+        self.faces.clear();
+        let mut items: Vec<Item<'a>> = Vec::new();
+        for (leaf, operand) in self.operands.iter().enumerate() {
             items.extend(operand.marks.iter().map(|mark| Item { leaf, mark }));
         }
         items.sort_by(|a, b| a.mark.reach.lo.total_cmp(&b.mark.reach.lo));
@@ -70,13 +73,43 @@ impl Sweep<'_> {
         self.gap(from, over.hi);
     }
 
-    /// What is not known in a gap is reported. Operands that were not traced do not matter, so there is nothing.
+    /// What is not known in a gap is reported. Where operands were traced or surveyed piece by piece, so is the gap looked
+    /// at: an operand that was not traced on a piece does not matter there.
     fn gap(&mut self, lo: f64, hi: f64) {
-        let t = Interval { lo, hi };
-        if lo < hi && self.node.side(&self.sides_over(t)) == Side::Unknown {
-            let why = Why::Floor;
-            self.put(Verdict::Unresolved { t, why }, 0, false);
+        if lo >= hi || self.is_known(Interval { lo, hi }) {
+            return;
         }
+        let searched = self.operands.iter().map(|operand| operand.searched);
+        let mut cuts: Vec<f64> = searched
+            .chain(self.pieces)
+            .flat_map(|piece| [piece.lo, piece.hi])
+            .filter(|cut| lo < *cut && *cut < hi)
+            .collect();
+        cuts.push(hi);
+        cuts.sort_by(f64::total_cmp);
+        let (mut from, mut open): (f64, Option<f64>) = (lo, None);
+        for cut in cuts {
+            let t = Interval { lo: from, hi: cut };
+            if from < cut && !self.is_known(t) {
+                open.get_or_insert(from);
+            } else if let Some(lo) = open.take() {
+                self.unknown(Interval { lo, hi: from }, 0);
+            }
+            from = cut;
+        }
+        if let Some(lo) = open {
+            self.unknown(Interval { lo, hi }, 0);
+        }
+    }
+
+    fn is_known(&self, t: Interval) -> bool {
+        self.node.side(&|leaf| self.side_over(leaf, t)) != Side::Unknown
+    }
+
+    /// Where an operand that matters is on no certain side.
+    fn unknown(&mut self, t: Interval, leaf: usize) {
+        let why = Why::Floor;
+        self.put(Verdict::Unresolved { t, why }, leaf, true);
     }
 
     fn put(&mut self, verdict: Verdict, leaf: usize, tied: bool) {
@@ -87,59 +120,66 @@ impl Sweep<'_> {
         });
     }
 
-    /// The sides of all operands over a piece without marks of those that are asked for: as traced, and as surveyed where
-    /// they were not.
-    fn sides_over(&self, t: Interval) -> Vec<Side> {
-        let side = |(operand, &traced): (&Operand, &Side)| {
-            let searched = operand.searched;
-            let inside = t.intersect(&searched).map(|_| traced);
-            let before = Interval {
-                lo: t.lo,
-                hi: t.hi.min(searched.lo),
-            };
-            let behind = Interval {
-                lo: t.lo.max(searched.hi),
-                hi: t.hi,
-            };
-            let outside = [before, behind]
-                .into_iter()
-                .filter(|t| t.lo < t.hi || inside.is_none());
-            let surveyed = outside.filter(|t| t.lo <= t.hi).flat_map(|t| {
-                let met = move |(piece, _): &&(Interval, Side)| t.intersect(piece).is_some();
-                operand.survey.iter().filter(met).map(|(_, side)| *side)
-            });
-            let sides = inside.into_iter().chain(surveyed);
-            sides.reduce(Side::joined).unwrap_or(Side::Unknown)
+    /// The side of an operand over a piece in which it has no mark: as traced, and as surveyed where it was not.
+    fn side_over(&self, leaf: usize, t: Interval) -> Side {
+        let Operand {
+            searched,
+            side,
+            survey,
+            ..
+        } = &self.operands[leaf];
+        if searched.lo <= t.lo && t.hi <= searched.hi {
+            return *side;
+        }
+        let inside = t.intersect(searched).map(|_| *side);
+        let before = Interval {
+            lo: t.lo,
+            hi: t.hi.min(searched.lo),
         };
-        self.operands.iter().zip(&self.sides).map(side).collect()
+        let behind = Interval {
+            lo: t.lo.max(searched.hi),
+            hi: t.hi,
+        };
+        let outside = [before, behind]
+            .into_iter()
+            .filter(|t| t.lo < t.hi || inside.is_none() && t.lo == t.hi);
+        let surveyed = outside.flat_map(|t| {
+            let met = move |(piece, _): &(&Interval, &Side)| t.intersect(piece).is_some();
+            let sides = self.pieces.iter().zip(survey.iter()).filter(met);
+            sides.map(|(_, side)| *side)
+        });
+        let sides = inside.into_iter().chain(surveyed);
+        sides.reduce(Side::joined).unwrap_or(Side::Unknown)
     }
 
     /// Marks that overlap, in ascending order. Operands that cannot matter here are left out; if that breaks the cluster,
     /// each part is looked at by itself.
     fn cluster(&mut self, items: &[Item]) {
-        let mut sides = self.sides_over(reach(items));
+        let t = reach(items);
+        let mut sides: Vec<Side> = (0..self.operands.len())
+            .map(|leaf| self.side_over(leaf, t))
+            .collect();
         for item in items {
             sides[item.leaf] = Side::Unknown;
         }
         self.matter(items, &sides);
         for item in items {
-            self.sides[item.leaf] = item.mark.after;
+            self.operands[item.leaf].side = item.mark.after;
         }
     }
 
     fn matter(&mut self, items: &[Item], sides: &[Side]) {
-        if self.node.side(sides) != Side::Unknown {
+        let side = |leaf: usize| sides[leaf];
+        if self.node.side(&side) != Side::Unknown {
             return;
         }
         let mut matters = vec![false; sides.len()];
-        self.node.relevant(sides, &mut matters);
-        let all = reach(items);
+        self.node.relevant(&side, &mut |leaf| matters[leaf] = true);
         let member = |leaf: usize| items.iter().any(|item| item.leaf == leaf);
         let unseen =
             |(leaf, side): (usize, &Side)| matters[leaf] && *side == Side::Unknown && !member(leaf);
         if sides.iter().enumerate().any(unseen) {
-            let why = Why::Floor;
-            self.put(Verdict::Unresolved { t: all, why }, items[0].leaf, true);
+            self.unknown(reach(items), items[0].leaf);
             return;
         }
         let kept: Vec<Item> = items.iter().filter(|i| matters[i.leaf]).copied().collect();
@@ -151,14 +191,14 @@ impl Sweep<'_> {
         for part in parts {
             let mut sides = sides.to_vec();
             for item in &kept {
-                sides[item.leaf] = self.sides[item.leaf];
+                sides[item.leaf] = self.operands[item.leaf].side;
             }
             for item in part {
                 sides[item.leaf] = Side::Unknown;
             }
             self.matter(part, &sides);
             for item in part {
-                self.sides[item.leaf] = item.mark.after;
+                self.operands[item.leaf].side = item.mark.after;
             }
         }
     }
@@ -205,7 +245,7 @@ impl Sweep<'_> {
             let [Verdict::Root { t }] = trails.verdicts(item.mark) else {
                 return None;
             };
-            let (before, after) = (self.sides[item.leaf], item.mark.after);
+            let (before, after) = (self.operands[item.leaf].side, item.mark.after);
             let twice = items[..k].iter().any(|other| other.leaf == item.leaf);
             if twice || before == Side::Unknown || after != before.opposite() {
                 return None;
@@ -216,11 +256,11 @@ impl Sweep<'_> {
         let wholes: Vec<Side> = (0..1usize << items.len())
             .map(|changed| {
                 for (k, item) in items.iter().enumerate() {
-                    let before = self.sides[item.leaf];
+                    let before = self.operands[item.leaf].side;
                     let has = changed >> k & 1 != 0;
                     sides[item.leaf] = if has { before.opposite() } else { before };
                 }
-                self.node.side(&sides)
+                self.node.side(&|leaf: usize| sides[leaf])
             })
             .collect();
         let after = wholes[wholes.len() - 1];
@@ -253,11 +293,11 @@ impl Sweep<'_> {
         for item in items.iter().rev() {
             sides[item.leaf] = item.mark.before;
         }
-        let before = self.node.side(&sides);
+        let before = self.node.side(&|leaf: usize| sides[leaf]);
         for item in items {
             sides[item.leaf] = item.mark.after;
         }
-        let after = self.node.side(&sides);
+        let after = self.node.side(&|leaf: usize| sides[leaf]);
         let mut why = Why::Order;
         for item in items {
             let trails = self.operands[item.leaf].trails;

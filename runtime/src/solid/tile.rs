@@ -2,7 +2,7 @@
 
 use super::leaf::PreparedLeaf;
 use super::span::Span8;
-use super::sweep::{Face, Operand, Sweep};
+use super::sweep::{Operand, Sweep};
 use super::tree::{Node, Side};
 use crate::interval::{Interval, Isa};
 use crate::render::tile::PacketRays;
@@ -61,16 +61,16 @@ impl<'a> Explorer<'a, '_> {
         let mut anything = false;
         for k in 0..8 {
             let sides: Vec<Side> = operands.iter().map(|o| o.survey[k]).collect();
-            if node.side(&sides) != Side::Unknown {
+            let side = |leaf: usize| sides[leaf];
+            if node.side(&side) != Side::Unknown {
                 continue;
             }
             anything = true;
-            let mut matters = vec![false; sides.len()];
-            node.relevant(&sides, &mut matters);
             let piece = eighth(beam.end, k);
-            for (operand, _) in operands.iter_mut().zip(&matters).filter(|(_, m)| **m) {
-                operand.relevant = Some(operand.relevant.map_or(piece, |r| r.hull(&piece)));
-            }
+            node.relevant(&side, &mut |leaf| {
+                let relevant = &mut operands[leaf].relevant;
+                *relevant = Some(relevant.map_or(piece, |r| r.hull(&piece)));
+            });
         }
         if !anything {
             return None;
@@ -194,33 +194,34 @@ impl<'a> Explorer<'a, '_> {
 }
 
 impl Explored<'_> {
-    /// The faces of the solid along one ray.
-    pub fn faces(&self, packet: usize, lane: usize, over: Interval, first_only: bool) -> Vec<Face> {
-        let mut sides = Vec::with_capacity(self.operands.len());
-        let mut operands = Vec::with_capacity(self.operands.len());
-        for operand in &self.operands {
+    /// A sweep over its rays.
+    pub fn sweep(&self, first_only: bool) -> Sweep<'_> {
+        Sweep {
+            node: self.node,
+            pieces: [0, 1, 2, 3, 4, 5, 6, 7].map(|k| eighth(self.beam.end, k)),
+            operands: Vec::with_capacity(self.operands.len()),
+            first_only,
+            faces: Vec::new(),
+        }
+    }
+
+    /// Finds the faces of the solid along one ray.
+    pub fn faces<'s>(&'s self, sweep: &mut Sweep<'s>, packet: usize, lane: usize, over: Interval) {
+        sweep.operands.clear();
+        for Surveyed { survey, trails, .. } in &self.operands {
             let (mut searched, mut marks, mut side) = (Span8::EMPTY.of(0), &[][..], Side::Unknown);
-            if let Some(trails) = &operand.trails {
+            if let Some(trails) = trails {
                 searched = trails.searched[packet].of(lane);
                 (marks, side) = trails.of(packet, lane);
             }
-            sides.push(side);
-            operands.push(Operand {
-                trails: operand.trails.as_ref(),
+            sweep.operands.push(Operand {
+                trails: trails.as_ref(),
                 searched,
                 marks,
-                survey: [0, 1, 2, 3, 4, 5, 6, 7]
-                    .map(|k| (eighth(self.beam.end, k), operand.survey[k])),
+                side,
+                survey,
             });
         }
-        let mut sweep = Sweep {
-            node: self.node,
-            operands: &operands,
-            sides,
-            first_only,
-            faces: Vec::new(),
-        };
         sweep.run(over);
-        sweep.faces
     }
 }

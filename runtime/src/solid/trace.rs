@@ -110,13 +110,14 @@ impl PreparedSolid<'_> {
         .explore(&over);
         tile.counts.add(&counts);
         let Some(explored) = explored else { return };
+        let mut sweep = explored.sweep(first_only);
         for (packet, span) in over.iter().enumerate() {
             for lane in 0..8 {
                 let ray = span.of(lane);
                 if ray.lo <= ray.hi {
-                    let faces = explored.faces(packet, lane, ray, first_only);
-                    if !faces.is_empty() {
-                        found(tile, packet, lane, &faces);
+                    explored.faces(&mut sweep, packet, lane, ray);
+                    if !sweep.faces.is_empty() {
+                        found(tile, packet, lane, &sweep.faces);
                     }
                 }
             }

@@ -108,11 +108,11 @@ impl Node {
         }
     }
 
-    /// The side of the whole, where operand i is on `sides[i]`. As each operand stands here once, this is certain exactly if
+    /// The side of the whole, where operand i is on `sides(i)`. As each operand stands here once, this is certain exactly if
     /// the unknown sides do not matter.
-    pub fn side(&self, sides: &[Side]) -> Side {
+    pub fn side(&self, sides: &impl Fn(usize) -> Side) -> Side {
         match self {
-            Node::Leaf(index) => sides[*index],
+            Node::Leaf(index) => sides(*index),
             Node::Not(inner) => inner.side(sides).opposite(),
             Node::Both(parts) => {
                 let mut least = Side::In;
@@ -137,23 +137,28 @@ impl Node {
         }
     }
 
-    /// Marks the operands that can matter, where operand i is on `sides[i]`: no other operand of an intersection that
+    /// Visits the operands that can matter, where operand i is on `sides(i)`: no other operand of an intersection that
     /// they are in is certainly outside, and none of a union certainly inside.
-    pub fn relevant(&self, sides: &[Side], matters: &mut [bool]) {
+    pub fn relevant(&self, sides: &impl Fn(usize) -> Side, visit: &mut impl FnMut(usize)) {
         match self {
-            Node::Leaf(index) => matters[*index] = true,
-            Node::Not(inner) => inner.relevant(sides, matters),
-            Node::Both(parts) => among(parts, Side::Out, sides, matters),
-            Node::Either(parts) => among(parts, Side::In, sides, matters),
+            Node::Leaf(index) => visit(*index),
+            Node::Not(inner) => inner.relevant(sides, visit),
+            Node::Both(parts) => among(parts, Side::Out, sides, visit),
+            Node::Either(parts) => among(parts, Side::In, sides, visit),
         }
     }
 }
 
-fn among(parts: &[Node], dominant: Side, sides: &[Side], matters: &mut [bool]) {
+fn among(
+    parts: &[Node],
+    dominant: Side,
+    sides: &impl Fn(usize) -> Side,
+    visit: &mut impl FnMut(usize),
+) {
     let mut dominating = (0..parts.len()).filter(|&k| parts[k].side(sides) == dominant);
     match (dominating.next(), dominating.next()) {
-        (None, _) => parts.iter().for_each(|part| part.relevant(sides, matters)),
-        (Some(only), None) => parts[only].relevant(sides, matters),
+        (None, _) => parts.iter().for_each(|part| part.relevant(sides, visit)),
+        (Some(only), None) => parts[only].relevant(sides, visit),
         _ => {}
     }
 }
@@ -178,7 +183,7 @@ mod tests {
             ([In, Out, Unknown], Unknown),
             ([Unknown, Out, Out], Unknown),
         ] {
-            assert_eq!(node.side(&sides), whole, "{sides:?}");
+            assert_eq!(node.side(&|i: usize| sides[i]), whole, "{sides:?}");
         }
     }
 
@@ -187,7 +192,7 @@ mod tests {
         let node = drilled();
         let matters = |sides: [Side; 3]| {
             let mut matters = [false; 3];
-            node.relevant(&sides, &mut matters);
+            node.relevant(&|i: usize| sides[i], &mut |i| matters[i] = true);
             matters
         };
         assert_eq!(matters([Unknown, Unknown, Unknown]), [true; 3]);
