@@ -104,7 +104,7 @@ impl std::fmt::Display for Statistics {
         writeln!(
             f,
             "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, fine {:.4}, gradient {:.2}; \
-             per packet {:.2}; skipped: outside the box {:.2}, closed form {:.2}",
+             per packet {:.2}; skipped: outside the box {:.2}, closed form {:.2}, operands {:.2} (in part {:.2})",
             per_ray(e.value),
             per_ray(e.slope),
             per_ray(e.curvature),
@@ -114,7 +114,9 @@ impl std::fmt::Display for Statistics {
             per_ray(e.gradient),
             8.0 * per_ray(e.packets),
             per_ray(self.outside),
-            per_ray(e.closed)
+            per_ray(e.closed),
+            per_ray(e.spared),
+            per_ray(e.shortened)
         )?;
         write!(
             f,

@@ -144,7 +144,10 @@ impl<'a> Sweep<'a> {
             .into_iter()
             .filter(|t| t.lo < t.hi || inside.is_none() && t.lo == t.hi);
         let surveyed = outside.flat_map(|t| {
-            let met = move |(piece, _): &(&Interval, &Side)| t.intersect(piece).is_some();
+            // Pieces that only touch it say nothing of it.
+            let met = move |(piece, _): &(&Interval, &Side)| {
+                piece.lo < t.hi && t.lo < piece.hi || t.lo == t.hi && piece.contains(t.lo)
+            };
             let sides = self.pieces.iter().zip(survey.iter()).filter(met);
             sides.map(|(_, side)| *side)
         });

@@ -20,8 +20,9 @@ pub(super) struct Explored<'a> {
 }
 
 /// An operand over a tile.
+#[derive(Default)]
 struct Surveyed {
-    /// On each eighth of the beam.
+    /// On each eighth of the beam, as far as that was asked for.
     survey: [Side; 8],
     /// Where it can matter.
     relevant: Option<Interval>,
@@ -49,22 +50,17 @@ impl<'a> Explorer<'a, '_> {
     /// Traces the operands over `over`, one segment for each ray; nothing if no ray meets the solid's boundary.
     pub fn explore(mut self, over: &[Span8]) -> Option<Explored<'a>> {
         let (isa, beam, node) = (self.isa, self.beam, self.node);
-        let mut operands: Vec<Surveyed> = self
-            .leaves
-            .iter()
-            .map(|leaf| Surveyed {
-                survey: leaf.survey(isa, beam, self.counts),
-                relevant: None,
-                trails: None,
-            })
-            .collect();
+        let mut operands = Vec::with_capacity(self.leaves.len());
+        operands.resize_with(self.leaves.len(), Surveyed::default);
+        let whole = node.sides(&mut |leaf| {
+            let survey = self.leaves[leaf].survey(isa, beam, self.counts);
+            operands[leaf].survey = survey;
+            survey
+        });
         let mut anything = false;
-        for k in 0..8 {
+        for k in (0..8).filter(|k| whole[*k] == Side::Unknown) {
             let sides: Vec<Side> = operands.iter().map(|o| o.survey[k]).collect();
             let side = |leaf: usize| sides[leaf];
-            if node.side(&side) != Side::Unknown {
-                continue;
-            }
             anything = true;
             let piece = eighth(beam.end, k);
             node.relevant(&side, &mut |leaf| {
@@ -72,15 +68,34 @@ impl<'a> Explorer<'a, '_> {
                 *relevant = Some(relevant.map_or(piece, |r| r.hull(&piece)));
             });
         }
-        if !anything {
-            return None;
+        if anything {
+            self.visit(node, over, &mut operands);
         }
-        self.visit(node, over, &mut operands);
-        Some(Explored {
+        self.count(over, &operands);
+        anything.then_some(Explored {
             node,
             beam,
             operands,
         })
+    }
+
+    /// Counts what was not searched.
+    fn count(&mut self, over: &[Span8], operands: &[Surveyed]) {
+        for (packet, span) in over.iter().enumerate() {
+            for lane in 0..8 {
+                let ray = span.of(lane);
+                if ray.lo > ray.hi {
+                    continue;
+                }
+                for operand in operands {
+                    let searched = operand.trails.as_ref().map(|t| t.searched[packet].of(lane));
+                    match searched.filter(|t| t.lo <= t.hi) {
+                        None => self.counts.spared += 1,
+                        Some(t) => self.counts.shortened += u64::from(t != ray),
+                    }
+                }
+            }
+        }
     }
 
     /// Traces what is below a node over `search`. The operands of an intersection are of interest only where none of those

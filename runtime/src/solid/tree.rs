@@ -2,9 +2,10 @@
 
 /// Where a piece of space or of a ray is: certainly outside, certainly inside, or not known. The order makes an
 /// intersection the least of its operands and a union the greatest (Kleene's logic).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Side {
     Out,
+    #[default]
     Unknown,
     In,
 }
@@ -135,6 +136,29 @@ impl Node {
                 greatest
             }
         }
+    }
+
+    /// The sides of eight pieces. An operand is asked only if those before it leave one of them open.
+    pub fn sides<F: FnMut(usize) -> [Side; 8]>(&self, ask: &mut F) -> [Side; 8] {
+        let (parts, dominant) = match self {
+            Node::Leaf(index) => return ask(*index),
+            Node::Not(inner) => return inner.sides(ask).map(Side::opposite),
+            Node::Both(parts) => (parts, Side::Out),
+            Node::Either(parts) => (parts, Side::In),
+        };
+        let mut all = [dominant.opposite(); 8];
+        for part in parts {
+            if all == [dominant; 8] {
+                break;
+            }
+            for (side, other) in all.iter_mut().zip(part.sides(ask)) {
+                *side = match dominant {
+                    Side::Out => (*side).min(other),
+                    _ => (*side).max(other),
+                };
+            }
+        }
+        all
     }
 
     /// Visits the operands that can matter, where operand i is on `sides(i)`: no other operand of an intersection that

@@ -2,7 +2,7 @@
 
 use super::Solid;
 use super::trace::PreparedSolid;
-use super::tree::{Node, Side};
+use super::tree::Side;
 use crate::interval::{Arithmetic, Interval, Isa, Scalar};
 use crate::render::RenderError;
 use crate::scene::{Scene, Trace};
@@ -89,31 +89,9 @@ fn boxes(cells: &[Cell; 8], level: u32, [low, high]: &[[f64; 3]; 2]) -> [[Interv
 }
 
 impl PreparedSolid<'_> {
-    /// The sides of eight boxes. An operand is asked only if the others leave one of them open.
+    /// The sides of eight boxes.
     fn sides(&self, isa: Isa, boxes: &[[Interval; 8]; 3]) -> [Side; 8] {
-        self.sides_of(&self.node, isa, boxes)
-    }
-
-    fn sides_of(&self, node: &Node, isa: Isa, boxes: &[[Interval; 8]; 3]) -> [Side; 8] {
-        let (parts, dominant) = match node {
-            Node::Leaf(index) => return self.leaves[*index].boxes(isa, boxes),
-            Node::Not(inner) => return self.sides_of(inner, isa, boxes).map(Side::opposite),
-            Node::Both(parts) => (parts, Side::Out),
-            Node::Either(parts) => (parts, Side::In),
-        };
-        let mut all = [dominant.opposite(); 8];
-        for part in parts {
-            if all.iter().all(|side| *side == dominant) {
-                break;
-            }
-            let sides = self.sides_of(part, isa, boxes);
-            for (side, other) in all.iter_mut().zip(sides) {
-                *side = match dominant {
-                    Side::Out => (*side).min(other),
-                    _ => (*side).max(other),
-                };
-            }
-        }
-        all
+        self.node
+            .sides(&mut |index| self.leaves[index].boxes(isa, boxes))
     }
 }

@@ -49,6 +49,10 @@ pub struct Evaluations {
     pub gradient: u64,
     /// Rays decided by the discriminant of a quadric, without a search.
     pub closed: u64,
+    /// Operands of solids that were not searched along a ray, because they cannot matter there: one by one and ray by ray.
+    pub spared: u64,
+    /// Operands of solids that were searched along a part of a ray only.
+    pub shortened: u64,
     /// Evaluations of all kinds, each counted once per packet of eight.
     pub packets: u64,
 }
@@ -74,6 +78,8 @@ impl Evaluations {
         self.fine += other.fine;
         self.gradient += other.gradient;
         self.closed += other.closed;
+        self.spared += other.spared;
+        self.shortened += other.shortened;
         self.packets += other.packets;
     }
 }
