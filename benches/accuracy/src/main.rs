@@ -1,0 +1,97 @@
+//! Run time against error: for each surface of the zoo and each tolerance, this library beside the usual methods.
+//!
+//! `cargo run --release -p accuracy` writes `benches/accuracy/accuracy.csv`, `docs/accuracy.svg` and `docs/accuracy.md`.
+//! `-- only NAME` measures one surface and writes nothing but its table to the screen; `-- rays` writes the rays, for
+//! `tests/accuracy/truth.py`.
+
+#![forbid(unsafe_code)]
+
+mod chart;
+mod csv;
+mod measure;
+mod page;
+mod subjects;
+
+use std::error::Error;
+use std::path::Path;
+
+use measure::Row;
+use zeroset::interval::Isa;
+use zeroset_accuracy::trial::pixels;
+use zeroset_accuracy::truth;
+
+const TRUTH: &str = include_str!("../../../tests/accuracy/truth.txt");
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words[..] {
+        [] => everything(),
+        ["rays"] => {
+            rays();
+            Ok(())
+        }
+        ["only", name] => {
+            print!("{}", csv::table(&rows(|one| one == name)?));
+            Ok(())
+        }
+        _ => Err("usage: accuracy, accuracy only NAME, or accuracy rays".into()),
+    }
+}
+
+fn rows(chosen: impl Fn(&str) -> bool) -> Result<Vec<Row>, Box<dyn Error>> {
+    let known = truth::read(TRUTH);
+    for name in ["avx512", "avx2"] {
+        if let Err(why) = Isa::named(name) {
+            println!("SKIPPED {name}: {why}");
+        }
+    }
+    let mut rows = Vec::new();
+    for subject in subjects::subjects() {
+        let name = subject.name();
+        if chosen(name) {
+            let known = known
+                .get(name)
+                .ok_or_else(|| format!("no truth for {name}"))?;
+            rows.extend(measure::measure(&*subject, known));
+            eprintln!("{name}");
+        }
+    }
+    if rows.is_empty() {
+        return Err("no surface of this name".into());
+    }
+    Ok(rows)
+}
+
+fn everything() -> Result<(), Box<dyn Error>> {
+    let rows = rows(|_| true)?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    std::fs::write(
+        root.join("benches/accuracy/accuracy.csv"),
+        csv::table(&rows),
+    )?;
+    std::fs::write(root.join("docs/accuracy.svg"), chart::draw(&rows)?)?;
+    std::fs::write(root.join("docs/accuracy.md"), page::write(&rows))?;
+    println!("docs/accuracy.md");
+    Ok(())
+}
+
+/// In the zoo's format.
+fn rays() {
+    for subject in subjects::subjects() {
+        println!("surface {}", subject.name());
+        for [x, y] in pixels() {
+            let ray = subject.ray(x, y);
+            print!("ray");
+            for number in ray
+                .origin
+                .to_array()
+                .iter()
+                .chain(&ray.direction.to_array())
+            {
+                print!(" {:016x}", number.to_bits());
+            }
+            println!();
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Times, errors and counts of all methods on one surface.
+
+use std::hint::black_box;
+
+use cpu_time::ProcessTime;
+use zeroset::interval::Isa;
+use zeroset_accuracy::SIZE;
+use zeroset_accuracy::judge::Score;
+use zeroset_accuracy::methods::Method;
+use zeroset_accuracy::ours::{Solver, picture};
+use zeroset_accuracy::subject::Subject;
+use zeroset_accuracy::trial::Trial;
+use zeroset_accuracy::truth::Known;
+
+/// Timed runs of each method.
+pub const RUNS: usize = 5;
+/// What a tuning may get wrong, as a share of the rays that are judged.
+pub const CARELESS: f64 = 0.01;
+
+/// How a setting was chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tuning {
+    /// This library has none.
+    None,
+    /// The fewest wrong rays, and among these the fewest evaluations.
+    Careful,
+    /// The fewest evaluations with at most [`CARELESS`] of the rays wrong.
+    Careless,
+}
+
+/// One method at one tolerance.
+#[derive(Clone, Debug)]
+pub struct Row {
+    pub surface: &'static str,
+    pub method: &'static str,
+    /// Steps, or a degree.
+    pub setting: Option<u32>,
+    pub tuning: Tuning,
+    pub isa: &'static str,
+    pub tolerance: Option<f64>,
+    /// Processor time per ray; the median.
+    pub nanoseconds: f64,
+    pub evaluations: f64,
+    pub score: Score,
+}
+
+impl Row {
+    pub fn is_ours(&self) -> bool {
+        self.tuning == Tuning::None
+    }
+}
+
+/// From 1e-2 down to 1e-15.
+pub fn tolerances() -> impl Iterator<Item = f64> {
+    (2..=15).map(|digits| 10f64.powi(-digits))
+}
+
+enum Work {
+    Ours(Solver, Isa),
+    Theirs(Method, f64),
+}
+
+pub fn measure(subject: &dyn Subject, known: &[Known]) -> Vec<Row> {
+    let trial = Trial::new(subject, known);
+    let best = Isa::available()[0];
+    let mut works = Vec::new();
+    let mut rows = Vec::new();
+    for isa in Isa::available() {
+        for solver in Solver::ALL {
+            let (score, evaluations) = trial.ours(solver, isa);
+            works.push(Work::Ours(solver, isa));
+            rows.push(Row {
+                surface: subject.name(),
+                method: solver.name(),
+                setting: None,
+                tuning: Tuning::None,
+                isa: isa.name(),
+                tolerance: None,
+                nanoseconds: 0.0,
+                evaluations,
+                score,
+            });
+        }
+    }
+    for settings in Method::ladder(subject.degree()) {
+        for tolerance in tolerances() {
+            for (tuning, method, score, evaluations) in tuned(&trial, &settings, tolerance, best) {
+                works.push(Work::Theirs(method, tolerance));
+                rows.push(Row {
+                    surface: subject.name(),
+                    method: method.name(),
+                    setting: Some(method.setting()),
+                    tuning,
+                    isa: best.name(),
+                    tolerance: Some(tolerance),
+                    nanoseconds: 0.0,
+                    evaluations,
+                    score,
+                });
+            }
+        }
+    }
+    let times = timed(subject, &trial, &works, best);
+    for (row, time) in rows.iter_mut().zip(times) {
+        row.nanoseconds = time;
+    }
+    rows
+}
+
+/// The best settings of a method by both tunings.
+fn tuned(
+    trial: &Trial,
+    settings: &[Method],
+    tolerance: f64,
+    isa: Isa,
+) -> Vec<(Tuning, Method, Score, f64)> {
+    let tried: Vec<(Method, Score, f64)> = settings
+        .iter()
+        .map(|&method| {
+            let (score, evaluations) = trial.theirs(method, tolerance, isa);
+            (method, score, evaluations)
+        })
+        .collect();
+    let few = |score: &Score| f64::from(score.wrong()) <= CARELESS * f64::from(score.rays);
+    let careful = tried.iter().min_by(|a, b| {
+        (a.1.wrong(), a.2)
+            .partial_cmp(&(b.1.wrong(), b.2))
+            .expect("numbers")
+    });
+    let careless = tried
+        .iter()
+        .filter(|(_, score, _)| few(score))
+        .min_by(|a, b| a.2.total_cmp(&b.2))
+        .filter(|one| careful.is_none_or(|other| one.0 != other.0));
+    let both = [(Tuning::Careful, careful), (Tuning::Careless, careless)];
+    both.into_iter()
+        .filter_map(|(tuning, found)| found.map(|(m, s, e)| (tuning, *m, s.clone(), *e)))
+        .collect()
+}
+
+/// All of them in turn, several times; the median of each.
+fn timed(subject: &dyn Subject, trial: &Trial, works: &[Work], best: Isa) -> Vec<f64> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let pool = pool.expect("one thread");
+    let scenes = Solver::ALL.map(|solver| (solver, subject.scene(solver)));
+    let camera = subject.camera();
+    let mut times = vec![Vec::with_capacity(RUNS); works.len()];
+    for _ in 0..RUNS {
+        for (work, times) in works.iter().zip(&mut times) {
+            let start = ProcessTime::now();
+            match *work {
+                Work::Ours(solver, isa) => {
+                    let scene = scenes.iter().find(|(s, _)| *s == solver);
+                    let (_, scene) = scene.expect("a scene for each solver");
+                    black_box(pool.install(|| picture(scene, &camera, isa)));
+                }
+                Work::Theirs(method, tolerance) => {
+                    black_box(subject.trace(best, &trial.packets, method, tolerance));
+                }
+            }
+            times.push(start.elapsed().as_nanos() as f64 / f64::from(SIZE * SIZE));
+        }
+    }
+    times
+        .into_iter()
+        .map(|mut times| {
+            times.sort_by(f64::total_cmp);
+            times[RUNS / 2]
+        })
+        .collect()
+}
