@@ -67,15 +67,13 @@ pub fn statistics(out: &mut impl Write, s: &Statistics) -> Result<()> {
         let each = per_ray(count);
         writeln!(out, "{name:<12}{count:>12}{each:>10.3}")?;
     }
-    let packets = e.packets;
-    writeln!(
-        out,
-        "{:<12}{packets:>12}{:>10.3}",
-        "in packets",
-        per_ray(packets)
-    )?;
+    for (name, count) in [("in packets", e.packets), ("over beams", e.beams)] {
+        let each = per_ray(count);
+        writeln!(out, "{name:<12}{count:>12}{each:>10.3}")?;
+    }
     writeln!(out, "\n{:<12}{:>12}{:>10}", "skipped", "all", "per ray")?;
     for (name, count) in [
+        ("empty beams", s.rays - s.made),
         ("outside", s.outside),
         ("closed form", e.closed),
         ("normals", s.rays - e.gradient),
@@ -90,7 +88,7 @@ pub fn statistics(out: &mut impl Write, s: &Statistics) -> Result<()> {
 fn phases(out: &mut impl Write, s: &Statistics) -> Result<()> {
     writeln!(out, "\n{:<12}{:>12}{:>10}", "phase", "time", "per ray")?;
     for (name, time) in [
-        ("rays", s.phases.rays),
+        ("beams", s.phases.beams),
         ("roots", s.phases.roots),
         ("normals", s.phases.normals),
     ] {

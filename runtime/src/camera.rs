@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::beam::{Frame, View};
 use crate::interval::Packet;
 use crate::ray::Lines;
 
@@ -158,6 +159,22 @@ impl Camera {
         }
     }
 
+    /// The camera's frame over a box; see [`Frame::new`] for where there is none.
+    pub(crate) fn frame(&self, picture: [u32; 2], domain: &[[f64; 3]; 2]) -> Option<Frame> {
+        let pixel = 2.0 / f64::from(picture[1]);
+        Frame::new(
+            &View {
+                from: self.from.to_array(),
+                axes: [self.forward, self.right, self.up].map(|v| v.to_array()),
+                perspective: self.lens == Lens::Perspective,
+                pixel,
+                // Beams reach less than a block beyond the picture.
+                reach: picture.map(|n| (0.5 * f64::from(n) + 70.0) * pixel),
+            },
+            domain,
+        )
+    }
+
     /// The rays of a packet of pixels from `corner` on: by the same operations as [`ray`](Camera::ray), so they are the
     /// same rays.
     #[inline(always)]
@@ -198,7 +215,7 @@ const ROWS: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
 /// A pixel on the picture plane, in pixels to the right and up from the middle (half of them, exact), and the size of
 /// a pixel in halves of the picture's height.
 #[inline(always)]
-fn plane(pixel: [u32; 2], picture: [u32; 2], sampling: Sampling) -> [f64; 3] {
+pub(crate) fn plane(pixel: [u32; 2], picture: [u32; 2], sampling: Sampling) -> [f64; 3] {
     let offset = match sampling {
         Sampling::Centre => 0.5,
         Sampling::Corner => 0.0,

@@ -40,6 +40,7 @@
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
+pub mod beam;
 pub mod camera;
 pub mod certificate;
 pub mod contract;

@@ -1,7 +1,7 @@
 //! What generated code names. Nothing here is for users.
 
 pub use crate::interval::{
-    Arithmetic, Interval, Jet, Linear, Number, Packet, Parameter, Quadratic, Undecided,
+    Arithmetic, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Quadratic, Rebind, Undecided,
 };
 pub use crate::language;
 pub use crate::ray::Rays;
@@ -82,4 +82,44 @@ pub fn enough_rows(
             needed,
         })
     }
+}
+
+/// Maps the leaves of one scope.
+#[inline(always)]
+pub fn rebind_leaves<R: Rebind, const M: usize, const N: usize>(
+    map: &R,
+    from: (
+        &[<R::From as Leaves>::Linear; M],
+        &[<R::From as Leaves>::Quadratic; N],
+    ),
+    to: (
+        &mut [<R::To as Leaves>::Linear; M],
+        &mut [<R::To as Leaves>::Quadratic; N],
+    ),
+) {
+    for k in 0..M {
+        to.0[k] = map.linear(&from.0[k]);
+    }
+    for k in 0..N {
+        to.1[k] = map.quadratic(&from.1[k]);
+    }
+}
+
+/// The leaves of a row.
+pub type Row<L, const M: usize, const N: usize> =
+    ([<L as Leaves>::Linear; M], [<L as Leaves>::Quadratic; N]);
+
+/// Maps the leaves of one row.
+#[inline(always)]
+pub fn rebind_row<R: Rebind, const M: usize, const N: usize>(
+    map: &R,
+    from: &Row<R::From, M, N>,
+) -> Row<R::To, M, N> {
+    let p = map.lanes();
+    let mut to = (
+        [<R::To as Leaves>::linear(p); M],
+        [<R::To as Leaves>::quadratic(p); N],
+    );
+    rebind_leaves(map, (&from.0, &from.1), (&mut to.0, &mut to.1));
+    to
 }

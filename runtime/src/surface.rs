@@ -1,6 +1,6 @@
 //! The trait that `implicit!` implements.
 
-use crate::interval::{Arithmetic, Interval, Jet, Packet, Parameter};
+use crate::interval::{Arithmetic, Interval, Jet, Leaves, Packet, Parameter, Rebind};
 use crate::ray::Rays;
 
 /// An implicit surface f = 0, compiled from a formula by [`implicit!`](crate::implicit).
@@ -14,8 +14,8 @@ pub trait Surface: Send + Sync {
 
     /// Values of the surface stage.
     type Prepared: Send + Sync;
-    /// Values of the ray stage.
-    type Bound<P: Packet>;
+    /// Values of the ray stage: leaves along rays, or over beams.
+    type Bound<L: Leaves>: Send + Sync + 'static;
 
     /// Refuses parameters that are NaN or infinite, by the field's name.
     fn check(&self) -> Result<(), ParameterError>;
@@ -38,7 +38,7 @@ pub trait Surface: Send + Sync {
     ) {
     }
     /// Room for the ray stage, to be used again for packet after packet.
-    fn unbound<P: Packet>(p: P) -> Self::Bound<P>;
+    fn unbound<L: Leaves>(p: L::Packet) -> Self::Bound<L>;
     /// The ray stage, for the active rows.
     fn bind<P: Packet>(
         p: P,
@@ -47,26 +47,36 @@ pub trait Surface: Send + Sync {
         active: &Active,
         bound: &mut Self::Bound<P>,
     );
+    /// Makes other leaves of the leaves `from`, for the rows of `active`, which are among those of `from`. False, without
+    /// any work, from a surface that has no leaves: it cannot be traced in beams.
+    fn rebind<R: Rebind>(
+        _map: &R,
+        _from: &Self::Bound<R::From>,
+        _active: &Active,
+        _to: &mut Self::Bound<R::To>,
+    ) -> bool {
+        false
+    }
 
     /// f over a segment.
     fn value<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Self::Prepared,
-        bound: &Self::Bound<A::Packet>,
+        bound: &Self::Bound<T::Leaves>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 1>;
     /// f and df/dt over a segment.
     fn slope<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Self::Prepared,
-        bound: &Self::Bound<A::Packet>,
+        bound: &Self::Bound<T::Leaves>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 2>;
     /// f, df/dt and d²f/dt² over a segment.
     fn curvature<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Self::Prepared,
-        bound: &Self::Bound<A::Packet>,
+        bound: &Self::Bound<T::Leaves>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 3>;
 

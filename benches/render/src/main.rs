@@ -96,7 +96,11 @@ fn measure<S: Surface + Clone + 'static>(only: &str, name: &str, surface: &S, ca
         .num_threads(1)
         .build()
         .expect("one thread");
-    let paths = Isa::available();
+    let mut paths = Isa::available();
+    // A path's name restricts it further.
+    if let Some(path) = std::env::args().nth(2) {
+        paths.retain(|isa| isa.name() == path);
+    }
     let mut times = vec![Vec::new(); paths.len() + 1];
     let mut report = Vec::new();
     for run in 0..=RUNS {
@@ -131,8 +135,8 @@ fn measure<S: Surface + Clone + 'static>(only: &str, name: &str, surface: &S, ca
             let e = &s.evaluations;
             let per = |n: u64| n as f64 / rays;
             format!(
-                "value {:.2} slope {:.2} point {:.2} float {:.2} curvature {:.2} per ray; roots {} misses {} other {}",
-                per(e.value), per(e.slope), per(e.point), per(e.float), per(e.curvature),
+                "beams {:.3} value {:.2} slope {:.2} point {:.2} float {:.2} curvature {:.2} per ray; roots {} misses {} other {}",
+                per(e.beams), per(e.value), per(e.slope), per(e.point), per(e.float), per(e.curvature),
                 s.root, s.miss, s.rays - s.root - s.miss
             )
         });

@@ -126,7 +126,7 @@ fn bind(prepared: &Prepared, origin: [f64; 3], direction: [f64; 3]) -> Bound {
         direction: direction.map(exact),
         end: 1.0,
     };
-    let mut bound = SumOfExpQuadrics::unbound(Scalar);
+    let mut bound = SumOfExpQuadrics::unbound::<Scalar>(Scalar);
     let all = SumOfExpQuadrics::everything(prepared);
     SumOfExpQuadrics::bind(Scalar, prepared, &rays, &all, &mut bound);
     bound

@@ -65,6 +65,27 @@ tokens! {
     PortableUnrounded(Portable<super::ToNearest>) = Some(Portable::new());
 }
 
+/// Lists an associated constant for every back-end. Generic functions are compiled in the crate that names their types:
+/// what is listed is compiled in this one, and found by its type.
+macro_rules! back_ends {
+    ($list:ident: $of:ident::$constant:ident) => {
+        static $list: &[&(dyn core::any::Any + Send + Sync)] = &[
+            #[cfg(target_arch = "x86_64")]
+            &$of::<$crate::interval::Avx512>::$constant,
+            #[cfg(target_arch = "x86_64")]
+            &$of::<$crate::interval::Avx2>::$constant,
+            &$of::<$crate::interval::Portable>::$constant,
+            #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
+            &$of::<$crate::interval::Avx512<$crate::interval::ToNearest>>::$constant,
+            #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
+            &$of::<$crate::interval::Avx2<$crate::interval::ToNearest>>::$constant,
+            #[cfg(feature = "unrounded")]
+            &$of::<$crate::interval::Portable<$crate::interval::ToNearest>>::$constant,
+        ];
+    };
+}
+pub(crate) use back_ends;
+
 /// Names of the back-ends and the processor features that they need.
 const KNOWN: [(&str, &str); 3] = [
     ("avx512", "avx512f, avx512dq"),

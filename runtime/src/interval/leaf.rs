@@ -33,18 +33,63 @@ pub struct Quadratic<P: Packet> {
     pub top: Interval<P::F>,
 }
 
-/// Where leaves are evaluated: over a segment ([`Interval`] with `lo ≥ 0`) or at a point ([`At`]), t ≥ 0 in both.
+/// A kind of leaves: along rays (any [`Packet`] stands for its own), or over [beams](crate::beam).
+pub trait Leaves: Copy + 'static {
+    /// Whose lanes the leaves fill.
+    type Packet: Packet;
+    /// A subexpression of degree 1.
+    type Linear: Copy + Send + Sync;
+    /// A subexpression of degree 2.
+    type Quadratic: Copy + Send + Sync;
+    /// The leaf 0: room in arrays.
+    fn linear(p: Self::Packet) -> Self::Linear;
+    /// The leaf 0: room in arrays.
+    fn quadratic(p: Self::Packet) -> Self::Quadratic;
+}
+
+impl<P: Packet> Leaves for P {
+    type Packet = P;
+    type Linear = Linear<P>;
+    type Quadratic = Quadratic<P>;
+    #[inline(always)]
+    fn linear(p: P) -> Linear<P> {
+        Linear::zero(p)
+    }
+    #[inline(always)]
+    fn quadratic(p: P) -> Quadratic<P> {
+        Quadratic::zero(p)
+    }
+}
+
+/// A map from leaves to leaves, such as from a beam's to those of the beams inside it.
+pub trait Rebind {
+    /// What there is.
+    type From: Leaves;
+    /// What is made of it.
+    type To: Leaves;
+    /// The lanes that are filled.
+    fn lanes(&self) -> <Self::To as Leaves>::Packet;
+    /// For a leaf of degree 1.
+    fn linear(&self, leaf: &<Self::From as Leaves>::Linear) -> <Self::To as Leaves>::Linear;
+    /// For a leaf of degree 2.
+    fn quadratic(&self, leaf: &<Self::From as Leaves>::Quadratic) -> <Self::To as Leaves>::Quadratic;
+}
+
+/// Where leaves are evaluated: over a segment of rays ([`Interval`] with `lo ≥ 0`) or at a point of them ([`At`], t ≥ 0),
+/// or over a piece of a [beam](crate::beam). The derivative is by t, or in the direction that the parameter names.
 pub trait Parameter<A: Arithmetic>: Copy {
+    /// The leaves that it is a parameter of.
+    type Leaves: Leaves<Packet = A::Packet>;
     /// c₀ + c₁t
-    fn linear(self, a: A, leaf: &Linear<A::Packet>) -> A::Value;
+    fn linear(self, a: A, leaf: &<Self::Leaves as Leaves>::Linear) -> A::Value;
     /// c₁
-    fn linear_slope(self, a: A, leaf: &Linear<A::Packet>) -> A::Value;
+    fn linear_slope(self, a: A, leaf: &<Self::Leaves as Leaves>::Linear) -> A::Value;
     /// c₀ + c₁t + c₂t²
-    fn quadratic(self, a: A, leaf: &Quadratic<A::Packet>) -> A::Value;
+    fn quadratic(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
     /// c₁ + 2c₂t
-    fn quadratic_slope(self, a: A, leaf: &Quadratic<A::Packet>) -> A::Value;
+    fn quadratic_slope(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
     /// 2c₂
-    fn quadratic_curvature(self, a: A, leaf: &Quadratic<A::Packet>) -> A::Value;
+    fn quadratic_curvature(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
 }
 
 /// A single t ≥ 0 per lane.

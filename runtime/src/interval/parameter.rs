@@ -175,6 +175,7 @@ fn quadratic_range<P: Packet>(p: P, leaf: &Quadratic<P>, t: Interval<P::F>) -> I
 
 /// Over a segment 0 ≤ lo ≤ hi < ∞.
 impl<P: Packet> Parameter<P> for Interval<P::F> {
+    type Leaves = P;
     #[inline(always)]
     fn linear(self, p: P, leaf: &Linear<P>) -> Interval<P::F> {
         linear_range(p, &leaf.c0, &leaf.c1, &self)
@@ -202,6 +203,7 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
 
 /// At one t ≥ 0, which is exact: the enclosures are of the value there.
 impl<P: Packet> Parameter<P> for At<P::F> {
+    type Leaves = P;
     #[inline(always)]
     fn linear(self, p: P, leaf: &Linear<P>) -> Interval<P::F> {
         line_at(p, &leaf.c0, &leaf.c1, &self.0)
@@ -229,6 +231,7 @@ impl<P: Packet> Parameter<P> for At<P::F> {
 
 /// At one t, approximately: coefficients are taken at their lower bounds, which are a rounding away from any other.
 impl<P: Packet> Parameter<Nearest<P>> for At<P::F> {
+    type Leaves = P;
     #[inline(always)]
     fn linear(self, a: Nearest<P>, leaf: &Linear<P>) -> P::F {
         a.0.fma_rn(leaf.c1.lo, self.0, leaf.c0.lo)

@@ -17,14 +17,15 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
+use crate::beam::{Frame, Hint, Request, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
-use crate::scene::{Label, Prepared, Scene, SceneError, hull};
-use crate::trace::Trail;
+use crate::scene::{Label, Prepared, Scene, SceneError, TileJob, hull};
+use crate::trace::{Leaves, Trail, WithBeams};
 use crate::verdict::{Answer, Verdict};
 use settle::settle;
 use shard::Shard;
-use tile::{TILE, Tile};
+use tile::{BLOCK, GRID_OF_TILES, TILE, TILES_OF_BLOCK, Tile, View, blocks};
 
 /// A picture that cannot be rendered.
 #[derive(Debug, thiserror::Error)]
@@ -179,11 +180,18 @@ impl<'a> Job<'a> {
         })
     }
 
-    /// Each thread takes the next tile until none is left, and keeps what it finished in one piece of memory.
+    /// Each thread takes the next block until none is left, and keeps what it finished in one piece of memory.
     fn run(self) -> Rendering {
         let start = Instant::now();
         let picture = [self.options.width, self.options.height];
-        let tiles = picture[0].div_ceil(TILE) * picture[1].div_ceil(TILE);
+        let view = View {
+            camera: self.camera,
+            picture,
+            sampling: self.options.sampling,
+        };
+        let beams = self.beams();
+        let surfaces = self.tile_jobs(&view, &beams);
+        let blocks = blocks(picture);
         let threads = rayon::current_num_threads();
         let next = AtomicU32::new(0);
         let done = AtomicUsize::new(0);
@@ -192,18 +200,18 @@ impl<'a> Job<'a> {
             .with_max_len(1)
             .map(|_| {
                 let mut tile = Tile::default();
-                let mut shard = Shard::with_room(tiles as usize / threads + 1);
+                let mut shard = Shard::with_room(blocks as usize / threads + 1);
                 loop {
                     let number = next.fetch_add(1, Ordering::Relaxed);
-                    if number >= tiles {
+                    if number >= blocks {
                         break shard;
                     }
-                    self.trace(number, &mut tile, &mut shard);
+                    self.block(&view, &surfaces, number, &mut tile, &mut shard);
                     if let Some(progress) = self.options.progress {
                         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
                         progress(Progress {
                             done,
-                            of: tiles as usize,
+                            of: blocks as usize,
                         });
                     }
                 }
@@ -214,45 +222,125 @@ impl<'a> Job<'a> {
         Rendering::new(picture, shards, self.labels, statistics)
     }
 
-    /// Traces one tile.
-    fn trace(&self, number: u32, tile: &mut Tile, shard: &mut Shard) {
-        let options = self.options;
-        let columns = options.width.div_ceil(TILE);
-        let corner = [number % columns * TILE, number / columns * TILE];
-        tile.size = [
-            TILE.min(options.width - corner[0]),
-            TILE.min(options.height - corner[1]),
-        ];
-        let Some(domain) = self.domain else {
-            tile.outside = u64::from(tile.size[0] * tile.size[1]);
-            shard.keep(number, tile, Vec::new(), &Phases::default());
-            return;
+    /// Each surface's frame and leaves, where it can be traced in beams.
+    fn beams(&self) -> Vec<Option<(Frame, Leaves)>> {
+        let picture = [self.options.width, self.options.height];
+        let surfaces = self.prepared.iter().zip(&self.boxes);
+        surfaces
+            .map(|(surface, domain)| {
+                let wanted = self.options.settings.beams;
+                let frame = wanted.then(|| self.camera.frame(picture, domain))??;
+                Some((frame, surface.leaves(self.isa, &frame)?))
+            })
+            .collect()
+    }
+
+    fn tile_jobs<'b>(
+        &'b self,
+        view: &'b View<'b>,
+        beams: &'b [Option<(Frame, Leaves)>],
+    ) -> Vec<TileJob<'b>> {
+        let surfaces = self.boxes.iter().zip(beams).zip(&self.first);
+        surfaces
+            .map(|((domain, beams), &index)| TileJob {
+                isa: self.isa,
+                settings: &self.options.settings,
+                view,
+                domain,
+                index,
+                beams: beams.as_ref().map(|(frame, leaves)| WithBeams {
+                    space: Space { frame, domain },
+                    leaves: &**leaves,
+                }),
+            })
+            .collect()
+    }
+
+    /// Surveys a block, and traces the tiles that may show something.
+    fn block(
+        &self,
+        view: &View,
+        surfaces: &[TileJob],
+        number: u32,
+        tile: &mut Tile,
+        shard: &mut Shard,
+    ) {
+        let clock = Instant::now();
+        let columns = view.picture[0].div_ceil(BLOCK[0]);
+        let corner = [number % columns * BLOCK[0], number / columns * BLOCK[1]];
+        let place = |k: usize| {
+            let (x, y) = (k as u32 % GRID_OF_TILES.columns, k as u32 / GRID_OF_TILES.columns);
+            [corner[0] + x * TILE[0], corner[1] + y * TILE[1]]
         };
-        tile.domain = domain;
+        let mut live = 0u8;
+        for k in 0..TILES_OF_BLOCK {
+            let [x, y] = place(k);
+            live |= u8::from(x < view.picture[0] && y < view.picture[1]) << k;
+        }
+        let count = &mut shard.statistics.evaluations.beams;
+        let hints: Vec<[Hint; TILES_OF_BLOCK]> = surfaces
+            .iter()
+            .zip(&self.prepared)
+            .map(|(job, surface)| {
+                let Some(beams) = job.beams else {
+                    return [Hint::OPEN; TILES_OF_BLOCK];
+                };
+                let request = Request {
+                    space: beams.space,
+                    corner: view.plane(corner),
+                    grid: &GRID_OF_TILES,
+                    live,
+                    known: &Hint::OPEN,
+                };
+                surface.survey(self.isa, beams, &request, count)
+            })
+            .collect();
+        shard.statistics.phases.beams += clock.elapsed();
+        shard.statistics.rays += within(view.picture, corner);
+        for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
+            if let Some(domain) = self.domain
+                && hints.iter().any(|tiles| tiles[k].open)
+            {
+                tile.begin(view, place(k), domain);
+                self.tile(surfaces, &hints, k, tile, number, shard);
+            }
+        }
+    }
+
+    /// Traces one tile.
+    fn tile(
+        &self,
+        surfaces: &[TileJob],
+        hints: &[[Hint; TILES_OF_BLOCK]],
+        k: usize,
+        tile: &mut Tile,
+        block: u32,
+        shard: &mut Shard,
+    ) {
         let mut phases = Phases::default();
         let clock = Instant::now();
-        self.isa.run(tile::Rays {
-            camera: self.camera,
-            picture: [options.width, options.height],
-            sampling: options.sampling,
-            corner,
-            tile,
-        });
-        phases.rays = clock.elapsed();
-        let surfaces = self.prepared.iter().zip(&self.first);
-        for ((surface, &index), own) in surfaces.clone().zip(&self.boxes) {
-            surface.trace(self.isa, &options.settings, own, index, tile);
+        for ((job, surface), hints) in surfaces.iter().zip(&self.prepared).zip(hints) {
+            if hints[k].open {
+                surface.trace(job, hints[k], tile);
+            }
         }
         let specials = settle(tile);
-        phases.roots = clock.elapsed() - phases.rays;
-        if options.normals {
-            for (surface, &index) in surfaces {
+        phases.roots = clock.elapsed();
+        if self.options.normals {
+            for (surface, &index) in self.prepared.iter().zip(&self.first) {
                 surface.normals(self.isa, index, tile);
             }
         }
-        phases.normals = clock.elapsed() - phases.rays - phases.roots;
+        phases.normals = clock.elapsed() - phases.roots;
+        let number = block * TILES_OF_BLOCK as u32 + k as u32;
         shard.keep(number, tile, specials, &phases);
     }
+}
+
+/// The pixels of a block that are in the picture.
+fn within(picture: [u32; 2], corner: [u32; 2]) -> u64 {
+    let [width, height] = [0, 1].map(|k| BLOCK[k].min(picture[k] - corner[k]));
+    u64::from(width) * u64::from(height)
 }
 
 /// The answer for one ray against a whole scene: of all surfaces the first event, and the first certain root behind it.

@@ -2,7 +2,7 @@
 
 use super::shard::{Place, Shard};
 use super::statistics::Statistics;
-use super::tile::{TILE, Tile};
+use super::tile::{BLOCK, TILE, TILES_OF_BLOCK, Tile, blocks};
 use crate::interval::Interval;
 use crate::scene::Label;
 use crate::verdict::{Answer, Verdict};
@@ -39,7 +39,7 @@ impl Rendering {
         labels: Vec<Label>,
         mut statistics: Statistics,
     ) -> Self {
-        let mut tiles = vec![Place::default(); shards.iter().map(|s| s.tiles.len()).sum()];
+        let mut tiles = vec![Place::default(); blocks(size) as usize * TILES_OF_BLOCK];
         for (index, shard) in shards.iter().enumerate() {
             statistics.add(&shard.statistics);
             for &(number, place) in &shard.tiles {
@@ -136,11 +136,13 @@ impl Rendering {
             x < width && y < height,
             "pixel ({x}, {y}) of a picture of {width}×{height}"
         );
-        let columns = width.div_ceil(TILE);
-        let place = self.tiles.get((y / TILE * columns + x / TILE) as usize)?;
-        let corner = [x / TILE * TILE, y / TILE * TILE];
-        let size = [TILE.min(width - corner[0]), TILE.min(height - corner[1])];
-        let (packet, lane) = Tile::place(size, x % TILE, y % TILE);
+        let (block, inside) = (
+            y / BLOCK[1] * width.div_ceil(BLOCK[0]) + x / BLOCK[0],
+            y % BLOCK[1] / TILE[1] * (BLOCK[0] / TILE[0]) + x % BLOCK[0] / TILE[0],
+        );
+        let number = block as usize * TILES_OF_BLOCK + inside as usize;
+        let place = self.tiles.get(number)?;
+        let (packet, lane) = Tile::place(x % TILE[0], y % TILE[1]);
         let record = place.of(packet)?;
         Some((&self.shards[place.shard as usize], record, lane))
     }

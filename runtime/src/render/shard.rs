@@ -3,7 +3,7 @@
 use super::record::Record;
 use super::settle::Special;
 use super::statistics::{Phases, Statistics};
-use super::tile::{PACKETS, Tile};
+use super::tile::{PACKETS, TILES_OF_BLOCK, Tile};
 use crate::verdict::{Answer, Verdict};
 
 /// Where the packets of a tile are.
@@ -14,7 +14,7 @@ pub(crate) struct Place {
     /// The first of them in it.
     pub first: u32,
     /// Which packets of the tile are kept there, one behind the other.
-    pub kept: u32,
+    pub kept: u64,
 }
 
 impl Place {
@@ -41,11 +41,11 @@ pub(crate) struct Shard {
 const ROOM: usize = 1 << 16;
 
 impl Shard {
-    /// For about so many tiles.
-    pub fn with_room(tiles: usize) -> Self {
+    /// For about so many blocks.
+    pub fn with_room(blocks: usize) -> Self {
         Shard {
-            records: Vec::with_capacity((tiles * PACKETS).min(ROOM)),
-            tiles: Vec::with_capacity(tiles.min(ROOM)),
+            records: Vec::with_capacity((blocks * TILES_OF_BLOCK * PACKETS / 2).min(ROOM)),
+            tiles: Vec::with_capacity((blocks * TILES_OF_BLOCK).min(ROOM)),
             ..Shard::default()
         }
     }
@@ -56,8 +56,11 @@ impl Shard {
             first: self.records.len() as u32,
             ..Place::default()
         };
-        for (k, rays) in tile.packets.iter().enumerate() {
-            let record = &rays.record;
+        let mut entered = tile.entered;
+        while entered != 0 {
+            let k = entered.trailing_zeros();
+            entered &= entered - 1;
+            let record = &tile.packets[k as usize].record;
             if record.shown | record.special == 0 {
                 continue;
             }
@@ -73,9 +76,11 @@ impl Shard {
                 self.specials.push((key, special.answer));
             }
         }
-        self.tiles.push((number, place));
-        self.statistics.rays += u64::from(tile.size[0] * tile.size[1]);
+        if place.kept != 0 {
+            self.tiles.push((number, place));
+        }
         self.statistics.outside += tile.outside;
+        self.statistics.made += tile.made();
         self.statistics.evaluations.add(&tile.counts);
         self.statistics.phases.add(phases);
     }

@@ -7,9 +7,9 @@ use crate::solve::Evaluations;
 /// Time, summed over threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Phases {
-    /// Making rays, and their entries into the scene's box.
-    pub rays: Duration,
-    /// Finding roots.
+    /// Surveying blocks.
+    pub beams: Duration,
+    /// Making rays and finding roots.
     pub roots: Duration,
     /// Normals.
     pub normals: Duration,
@@ -17,7 +17,7 @@ pub struct Phases {
 
 impl Phases {
     pub(super) fn add(&mut self, other: &Phases) {
-        self.rays += other.rays;
+        self.beams += other.beams;
         self.roots += other.roots;
         self.normals += other.normals;
     }
@@ -40,7 +40,9 @@ pub struct Statistics {
     pub unresolved: u64,
     /// Rays on which the nearest roots of two surfaces overlap.
     pub tied: u64,
-    /// Rays that do not meet the scene's box: no stage runs for them.
+    /// Rays that were made one by one; beams showed that the others meet nothing.
+    pub made: u64,
+    /// Rays among them that do not meet the scene's box: no stage runs for them.
     pub outside: u64,
     /// Evaluations of all surfaces.
     pub evaluations: Evaluations,
@@ -72,6 +74,7 @@ impl Statistics {
         self.unresolved += shard.unresolved;
         self.miss += shard.rays - shard.root - shard.tangent - shard.crossing - shard.unresolved;
         self.tied += shard.tied;
+        self.made += shard.made;
         self.outside += shard.outside;
         self.evaluations.add(&shard.evaluations);
         self.phases.add(&shard.phases);
@@ -104,7 +107,7 @@ impl std::fmt::Display for Statistics {
         writeln!(
             f,
             "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, fine {:.4}, gradient {:.2}; \
-             per packet {:.2}; skipped: outside the box {:.2}, closed form {:.2}, operands {:.2} (in part {:.2})",
+             per packet {:.2}, over beams {:.3}; skipped: empty beams {:.2}, outside the box {:.2}, closed form {:.2}, operands {:.2} (in part {:.2})",
             per_ray(e.value),
             per_ray(e.slope),
             per_ray(e.curvature),
@@ -113,6 +116,8 @@ impl std::fmt::Display for Statistics {
             per_ray(e.fine),
             per_ray(e.gradient),
             8.0 * per_ray(e.packets),
+            per_ray(e.beams),
+            1.0 - per_ray(self.made),
             per_ray(self.outside),
             per_ray(e.closed),
             per_ray(e.spared),
@@ -120,8 +125,8 @@ impl std::fmt::Display for Statistics {
         )?;
         write!(
             f,
-            "ns per ray and thread: rays {:.1}, roots {:.1}, normals {:.1}",
-            nanoseconds(self.phases.rays),
+            "ns per ray and thread: blocks {:.1}, roots {:.1}, normals {:.1}",
+            nanoseconds(self.phases.beams),
             nanoseconds(self.phases.roots),
             nanoseconds(self.phases.normals)
         )

@@ -1,18 +1,53 @@
 //! A tile of the picture while it is worked on.
 
 use super::record::Record;
-use crate::camera::{Camera, Sampling};
-use crate::interval::{Kernel, Packet};
+use crate::beam::Grid;
+use crate::camera::{Camera, Sampling, plane};
+use crate::interval::Packet;
 use crate::ray::{Lines, clip};
 use crate::solve::Evaluations;
 use crate::verdict::Verdict;
 
 /// Packets are blocks of 4×2 pixels: neighbours need the same steps.
 pub(crate) const PACKET: [u32; 2] = [4, 2];
-/// Tiles are squares of this many pixels.
-pub(crate) const TILE: u32 = 16;
-/// Packets in a whole tile.
-pub(crate) const PACKETS: usize = (TILE * TILE / 8) as usize;
+/// A cell is two packets wide and four high, …
+pub(crate) const CELL: [u32; 2] = [8, 8];
+/// … a tile four cells wide and two high, …
+pub(crate) const TILE: [u32; 2] = [32, 16];
+/// … and a block, which a thread takes at a time, two tiles wide and four high. So there are eight of each in the next.
+pub(crate) const BLOCK: [u32; 2] = [64, 64];
+pub(crate) const CELLS: usize = 8;
+pub(crate) const PACKETS_OF_CELL: usize = 8;
+pub(crate) const PACKETS: usize = CELLS * PACKETS_OF_CELL;
+pub(crate) const TILES_OF_BLOCK: usize = 8;
+
+/// How a block is divided into tiles.
+pub(crate) const GRID_OF_TILES: Grid = Grid {
+    columns: BLOCK[0] / TILE[0],
+    part: TILE,
+};
+
+/// How many blocks a picture has.
+pub(crate) fn blocks(picture: [u32; 2]) -> u32 {
+    picture[0].div_ceil(BLOCK[0]) * picture[1].div_ceil(BLOCK[1])
+}
+
+/// A camera with the picture that it takes.
+#[derive(Clone, Copy)]
+pub(crate) struct View<'a> {
+    pub camera: &'a Camera,
+    pub picture: [u32; 2],
+    pub sampling: Sampling,
+}
+
+impl View<'_> {
+    /// Where a pixel is sampled, in pixels to the right and up from the middle of the picture.
+    #[inline]
+    pub fn plane(&self, pixel: [u32; 2]) -> [f64; 2] {
+        let [x, y, _] = plane(pixel, self.picture, self.sampling);
+        [x, y]
+    }
+}
 
 /// Eight rays, and what is known about them so far.
 #[derive(Default)]
@@ -34,70 +69,142 @@ pub(crate) struct Event {
 }
 
 /// The rays of a tile and what is known about them. A thread uses one for all its tiles.
-#[derive(Default)]
 pub(crate) struct Tile {
-    /// Width and height in pixels.
+    /// The upper left pixel.
+    pub corner: [u32; 2],
+    /// Width and height in pixels, as far as the picture goes.
     pub size: [u32; 2],
     /// The box into which the rays are clipped.
     pub domain: [[f64; 3]; 2],
+    /// Packet after packet, cell after cell. Only those of `entered` mean anything.
     pub packets: Vec<PacketRays>,
+    /// The packets whose rays were made.
+    pub entered: u64,
     pub events: Vec<Event>,
     pub counts: Evaluations,
-    /// Rays that do not meet the domain.
+    /// Rays that do not meet the domain, of those that were made.
     pub outside: u64,
 }
 
-impl Tile {
-    /// Packets per row.
-    pub fn stride(size: [u32; 2]) -> u32 {
-        size[0].div_ceil(PACKET[0])
+impl Default for Tile {
+    fn default() -> Self {
+        let mut packets = Vec::new();
+        packets.resize_with(PACKETS, PacketRays::default);
+        Tile {
+            corner: [0; 2],
+            size: [0; 2],
+            domain: [[0.0; 3]; 2],
+            packets,
+            entered: 0,
+            events: Vec::new(),
+            counts: Evaluations::default(),
+            outside: 0,
+        }
     }
+}
 
+impl Tile {
     /// Packet and lane of a pixel, counted from the tile's corner.
     #[inline]
-    pub fn place(size: [u32; 2], x: u32, y: u32) -> (usize, usize) {
-        let packet = (y / PACKET[1]) * Self::stride(size) + x / PACKET[0];
-        let lane = (y % PACKET[1]) * PACKET[0] + x % PACKET[0];
-        (packet as usize, lane as usize)
+    pub fn place(x: u32, y: u32) -> (usize, usize) {
+        let cell = y / CELL[1] * (TILE[0] / CELL[0]) + x / CELL[0];
+        let (x, y) = (x % CELL[0], y % CELL[1]);
+        let packet = y / PACKET[1] * (CELL[0] / PACKET[0]) + x / PACKET[0];
+        let lane = y % PACKET[1] * PACKET[0] + x % PACKET[0];
+        (cell as usize * PACKETS_OF_CELL + packet as usize, lane as usize)
     }
-}
 
-/// Fills a tile of known size and domain with the camera's rays and their entries into the domain.
-pub(crate) struct Rays<'a> {
-    pub camera: &'a Camera,
-    pub picture: [u32; 2],
-    pub sampling: Sampling,
-    /// The tile's upper left pixel.
-    pub corner: [u32; 2],
-    pub tile: &'a mut Tile,
-}
+    /// A packet's upper left pixel, counted from the tile's.
+    #[inline]
+    fn offset(packet: usize) -> [u32; 2] {
+        let (cell, k) = (packet / PACKETS_OF_CELL, packet % PACKETS_OF_CELL);
+        let (columns, rows) = ((TILE[0] / CELL[0]) as usize, (CELL[0] / PACKET[0]) as usize);
+        [
+            (cell % columns) as u32 * CELL[0] + (k % rows) as u32 * PACKET[0],
+            (cell / columns) as u32 * CELL[1] + (k / rows) as u32 * PACKET[1],
+        ]
+    }
 
-impl Kernel for Rays<'_> {
-    type Output = ();
+    /// A packet's upper left pixel.
+    #[inline]
+    pub fn corner_of(&self, packet: usize) -> [u32; 2] {
+        let offset = Self::offset(packet);
+        [self.corner[0] + offset[0], self.corner[1] + offset[1]]
+    }
 
+    /// Is any pixel of the packet in the picture?
+    #[inline]
+    fn has(&self, packet: usize) -> bool {
+        let [x, y] = Self::offset(packet);
+        x < self.size[0] && y < self.size[1]
+    }
+
+    /// The cells that have pixels in the picture.
+    pub fn cells(&self) -> u8 {
+        (0..CELLS).fold(0, |bits, cell| {
+            bits | u8::from(self.has(cell * PACKETS_OF_CELL)) << cell
+        })
+    }
+
+    /// The packets of a cell that have pixels in the picture.
+    pub fn packets_of(&self, cell: usize) -> u8 {
+        let first = cell * PACKETS_OF_CELL;
+        (0..PACKETS_OF_CELL).fold(0, |bits, k| bits | u8::from(self.has(first + k)) << k)
+    }
+
+    /// How a tile is divided into cells.
+    pub const GRID_OF_CELLS: Grid = Grid {
+        columns: TILE[0] / CELL[0],
+        part: CELL,
+    };
+
+    /// How a cell is divided into packets.
+    pub const GRID_OF_PACKETS: Grid = Grid {
+        columns: CELL[0] / PACKET[0],
+        part: PACKET,
+    };
+
+    /// How many rays were made.
+    pub fn made(&self) -> u64 {
+        let all = (0..PACKETS).filter(|k| self.entered >> k & 1 != 0);
+        all.map(|k| {
+            let [x, y] = Self::offset(k);
+            let inside = within(self.size[0].saturating_sub(x), self.size[1].saturating_sub(y));
+            u64::from(inside.count_ones())
+        })
+        .sum()
+    }
+
+    /// Begins another tile.
+    pub fn begin(&mut self, view: &View, corner: [u32; 2], domain: [[f64; 3]; 2]) {
+        self.corner = corner;
+        self.size = [0, 1].map(|k| TILE[k].min(view.picture[k] - corner[k]));
+        self.domain = domain;
+        self.entered = 0;
+        self.counts = Evaluations::default();
+        self.outside = 0;
+    }
+
+    /// Makes the rays of a packet, unless they are there, with their entries into the domain.
     #[inline(always)]
-    fn run<P: Packet>(self, p: P) {
-        let Rays { corner, tile, .. } = self;
-        let [width, height] = tile.size;
-        let (columns, rows) = (width.div_ceil(PACKET[0]), height.div_ceil(PACKET[1]));
-        tile.counts = Evaluations::default();
-        tile.outside = 0;
-        // In place: nothing is moved, and what is not shown needs no clearing.
-        tile.packets
-            .resize_with((columns * rows) as usize, PacketRays::default);
-        for (number, rays) in (0..).zip(&mut tile.packets) {
-            let [x, y] = [number % columns * PACKET[0], number / columns * PACKET[1]];
-            self.camera.rays(
-                p,
-                [corner[0] + x, corner[1] + y],
-                self.picture,
-                self.sampling,
-                &mut rays.lines,
-            );
-            let inside = within(width - x, height - y);
-            let met = rays.enter(p, inside, &tile.domain);
-            tile.outside += u64::from((inside & !met).count_ones());
+    pub fn enter<P: Packet>(&mut self, p: P, view: &View, packet: usize) {
+        if self.entered >> packet & 1 != 0 {
+            return;
         }
+        self.entered |= 1 << packet;
+        let [x, y] = Self::offset(packet);
+        let rays = &mut self.packets[packet];
+        let columns = self.size[0].saturating_sub(x);
+        let inside = within(columns, self.size[1].saturating_sub(y));
+        view.camera.rays(
+            p,
+            [self.corner[0] + x, self.corner[1] + y],
+            view.picture,
+            view.sampling,
+            &mut rays.lines,
+        );
+        let met = rays.enter(p, inside, &self.domain);
+        self.outside += u64::from((inside & !met).count_ones());
     }
 }
 
@@ -108,10 +215,10 @@ fn within(columns: u32, rows: u32) -> u8 {
     } else {
         (1 << columns) - 1
     };
-    if rows >= PACKET[1] {
-        row | row << 4
-    } else {
-        row
+    match rows {
+        0 => 0,
+        1 => row,
+        _ => row | row << 4,
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod surface;
 
-pub(crate) use surface::{Label, Prepared, Trace};
+pub(crate) use surface::{Label, Prepared, TileJob, Trace};
 
 use crate::contract::Contractor;
 use crate::solid::Operand;

@@ -2,13 +2,16 @@
 
 use core::marker::PhantomData;
 
+use crate::beam::{Frame, Hint, Request};
 use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::Isa;
-use crate::render::tile::Tile;
+use crate::render::tile::{Tile, View};
 use crate::solve::Settings;
 use crate::surface::{ParameterError, Surface};
-use crate::trace::{AlongRay, NormalsOfTile, TraceTile, Trail};
+use crate::trace::{
+    AlongRay, AssembleLeaves, Leaves, NormalsOfTile, SurveyGrid, TraceTile, Trail, WithBeams,
+};
 
 /// A surface in a scene.
 pub(crate) trait Trace: Send + Sync {
@@ -33,17 +36,25 @@ pub(crate) struct Label {
     pub colour: Option<glam::Vec3>,
 }
 
+/// What all tiles of a picture have in common, for one surface.
+pub(crate) struct TileJob<'a> {
+    pub isa: Isa,
+    pub settings: &'a Settings,
+    pub view: &'a View<'a>,
+    /// The surface's box.
+    pub domain: &'a [[f64; 3]; 2],
+    pub index: u16,
+    pub beams: Option<WithBeams<'a>>,
+}
+
 /// A surface after the surface stage, ready for any number of tiles.
 pub(crate) trait Prepared: Send + Sync {
-    /// Traces the tile's rays inside `domain`, and keeps what is nearer than what the tile holds.
-    fn trace(
-        &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        index: u16,
-        tile: &mut Tile,
-    );
+    /// The leaves over beams of a picture; nothing if there are none.
+    fn leaves(&self, isa: Isa, frame: &Frame) -> Option<Leaves>;
+    /// What is known about the beams of a grid.
+    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, count: &mut u64) -> [Hint; 8];
+    /// Traces the tile's rays inside the surface's box, and keeps what is nearer than what the tile holds.
+    fn trace(&self, job: &TileJob, hint: Hint, tile: &mut Tile);
     /// Normals for the pixels that show this surface.
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile);
     /// All events along one ray, or those up to the first certain root.
@@ -95,21 +106,33 @@ impl<S: Surface, C: Contractor> Trace for Solver<S, C> {
 }
 
 impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
-    fn trace(
-        &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        index: u16,
-        tile: &mut Tile,
-    ) {
-        isa.run(TraceTile::<S, C>::new(
-            &self.prepared,
-            settings,
-            domain,
-            index,
+    fn leaves(&self, isa: Isa, frame: &Frame) -> Option<Leaves> {
+        isa.run(AssembleLeaves::<S> {
+            prepared: &self.prepared,
+            frame,
+        })
+    }
+    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, count: &mut u64) -> [Hint; 8] {
+        isa.run(SurveyGrid::<S> {
+            prepared: &self.prepared,
+            beams,
+            request,
+            count,
+            surface: PhantomData,
+        })
+    }
+    fn trace(&self, job: &TileJob, hint: Hint, tile: &mut Tile) {
+        job.isa.run(TraceTile::<S, C> {
+            prepared: &self.prepared,
+            settings: job.settings,
+            domain: job.domain,
+            index: job.index,
+            view: job.view,
+            beams: job.beams,
+            hint,
             tile,
-        ));
+            solver: PhantomData,
+        });
     }
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
         isa.run(NormalsOfTile::<S>::new(&self.prepared, index, tile));

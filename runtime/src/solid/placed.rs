@@ -3,7 +3,8 @@
 use glam::{DAffine3, DVec3};
 
 use crate::interval::{
-    Arithmetic, Ball, Fine, Flags, Interval, Jet, Lanes, Packet, Parameter, Quadratic, Scalar,
+    Arithmetic, Ball, Fine, Flags, Interval, Jet, Lanes, Leaves, Packet, Parameter, Quadratic,
+    Rebind, Scalar,
 };
 use crate::ray::Rays;
 use crate::surface::{Active, ParameterError, Report, Surface};
@@ -178,7 +179,7 @@ fn moved(map: &DAffine3, [low, high]: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
 impl<S: Surface> Surface for Placed<S> {
     const REPORT: Report = S::REPORT;
     type Prepared = Ready<S::Prepared>;
-    type Bound<P: Packet> = S::Bound<P>;
+    type Bound<L: Leaves> = S::Bound<L>;
 
     fn check(&self) -> Result<(), ParameterError> {
         self.surface.check()?;
@@ -220,8 +221,8 @@ impl<S: Surface> Surface for Placed<S> {
     }
 
     #[inline(always)]
-    fn unbound<P: Packet>(p: P) -> Self::Bound<P> {
-        S::unbound(p)
+    fn unbound<L: Leaves>(p: L::Packet) -> Self::Bound<L> {
+        S::unbound::<L>(p)
     }
 
     #[inline(always)]
@@ -237,10 +238,20 @@ impl<S: Surface> Surface for Placed<S> {
     }
 
     #[inline(always)]
+    fn rebind<R: Rebind>(
+        map: &R,
+        from: &Self::Bound<R::From>,
+        active: &Active,
+        to: &mut Self::Bound<R::To>,
+    ) -> bool {
+        S::rebind(map, from, active, to)
+    }
+
+    #[inline(always)]
     fn value<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Self::Prepared,
-        bound: &Self::Bound<A::Packet>,
+        bound: &Self::Bound<T::Leaves>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 1> {
         S::value(a, &prepared.own, bound, t)
@@ -250,7 +261,7 @@ impl<S: Surface> Surface for Placed<S> {
     fn slope<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Self::Prepared,
-        bound: &Self::Bound<A::Packet>,
+        bound: &Self::Bound<T::Leaves>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 2> {
         S::slope(a, &prepared.own, bound, t)
@@ -260,7 +271,7 @@ impl<S: Surface> Surface for Placed<S> {
     fn curvature<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Self::Prepared,
-        bound: &Self::Bound<A::Packet>,
+        bound: &Self::Bound<T::Leaves>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 3> {
         S::curvature(a, &prepared.own, bound, t)

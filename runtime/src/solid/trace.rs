@@ -6,14 +6,15 @@ use super::sweep::Face;
 use super::tile::Explorer;
 use super::tree::Node;
 use super::{Part, Solid};
+use crate::beam::{Frame, Hint, Request};
 use crate::camera::Ray;
 use crate::interval::{Interval, Isa, Kernel, Packet};
 use crate::ray::Lines;
-use crate::render::tile::{Event, PacketRays, Tile};
-use crate::scene::{Label, Prepared, Trace};
-use crate::solve::{Evaluations, Settings};
+use crate::render::tile::{Event, PACKETS, PACKETS_OF_CELL, PacketRays, Tile, View};
+use crate::scene::{Label, Prepared, TileJob, Trace};
+use crate::solve::Settings;
 use crate::surface::ParameterError;
-use crate::trace::{BeamOf, Trail, segment};
+use crate::trace::{BeamOf, Leaves, Trail, WithBeams, segment};
 use crate::verdict::Verdict;
 
 impl Trace for Solid {
@@ -81,7 +82,7 @@ pub(super) struct PreparedSolid<'a> {
 }
 
 impl PreparedSolid<'_> {
-    /// The faces along each ray of a tile, in ascending order; nothing on a ray without any.
+    /// The faces along each ray of a tile, in ascending order, cell by cell; nothing on a ray without any.
     fn faces(
         &self,
         isa: Isa,
@@ -91,33 +92,36 @@ impl PreparedSolid<'_> {
         first_only: bool,
         mut found: impl FnMut(&mut Tile, usize, usize, &[Face]),
     ) {
-        let over = isa.run(Segments { domain, tile });
-        let Some(beam) = isa.run(BeamOf {
-            packets: &tile.packets,
-        }) else {
-            return;
-        };
-        let mut counts = Evaluations::default();
-        let explored = Explorer {
-            node: &self.node,
-            leaves: &self.leaves,
-            isa,
-            settings,
-            packets: &tile.packets,
-            beam: &beam,
-            counts: &mut counts,
-        }
-        .explore(&over);
-        tile.counts.add(&counts);
-        let Some(explored) = explored else { return };
-        let mut sweep = explored.sweep(first_only);
-        for (packet, span) in over.iter().enumerate() {
-            for lane in 0..8 {
-                let ray = span.of(lane);
-                if ray.lo <= ray.hi {
-                    explored.faces(&mut sweep, packet, lane, ray);
-                    if !sweep.faces.is_empty() {
-                        found(tile, packet, lane, &sweep.faces);
+        for first in (0..tile.packets.len()).step_by(PACKETS_OF_CELL) {
+            let cell = first..tile.packets.len().min(first + PACKETS_OF_CELL);
+            let over = isa.run(Segments {
+                own: (*domain != tile.domain).then_some(domain),
+                packets: &tile.packets[cell.clone()],
+            });
+            let packets = &tile.packets[cell];
+            let Some(beam) = isa.run(BeamOf { packets }) else {
+                continue;
+            };
+            let explored = Explorer {
+                node: &self.node,
+                leaves: &self.leaves,
+                isa,
+                settings,
+                packets,
+                beam: &beam,
+                counts: &mut tile.counts,
+            }
+            .explore(&over);
+            let Some(explored) = explored else { continue };
+            let mut sweep = explored.sweep(first_only);
+            for (packet, span) in over.iter().enumerate() {
+                for lane in 0..8 {
+                    let ray = span.of(lane);
+                    if ray.lo <= ray.hi {
+                        explored.faces(&mut sweep, packet, lane, ray);
+                        if !sweep.faces.is_empty() {
+                            found(tile, first + packet, lane, &sweep.faces);
+                        }
                     }
                 }
             }
@@ -125,10 +129,11 @@ impl PreparedSolid<'_> {
     }
 }
 
-/// The part of each ray of a tile that is of interest.
+/// The part of each ray that is of interest.
 struct Segments<'a> {
-    domain: &'a [[f64; 3]; 2],
-    tile: &'a Tile,
+    /// The solid's box, if it is not the scene's.
+    own: Option<&'a [[f64; 3]; 2]>,
+    packets: &'a [PacketRays],
 }
 
 impl Kernel for Segments<'_> {
@@ -136,15 +141,31 @@ impl Kernel for Segments<'_> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> Vec<Span8> {
-        let own = (*self.domain != self.tile.domain).then_some(self.domain);
         let span = |packet: &PacketRays| {
-            let (over, live) = segment(p, packet, own);
+            let (over, live) = segment(p, packet, self.own);
             Span8 {
                 lo: p.to_array(over.lo),
                 hi: p.to_array(p.select(live, over.hi, p.splat(-1.0))),
             }
         };
-        self.tile.packets.iter().map(span).collect()
+        self.packets.iter().map(span).collect()
+    }
+}
+
+/// Makes the rays of all packets of a tile.
+struct AllRays<'a> {
+    view: &'a View<'a>,
+    tile: &'a mut Tile,
+}
+
+impl Kernel for AllRays<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) {
+        for packet in 0..PACKETS {
+            self.tile.enter(p, self.view, packet);
+        }
     }
 }
 
@@ -173,23 +194,29 @@ impl Kernel for OneRay<'_> {
 }
 
 impl Prepared for PreparedSolid<'_> {
-    fn trace(
-        &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        index: u16,
-        tile: &mut Tile,
-    ) {
+    /// Operands are surveyed cell by cell.
+    fn leaves(&self, _isa: Isa, _frame: &Frame) -> Option<Leaves> {
+        None
+    }
+
+    fn survey(&self, _: Isa, _: WithBeams, _: &Request, _: &mut u64) -> [Hint; 8] {
+        [Hint::OPEN; 8]
+    }
+
+    fn trace(&self, job: &TileJob, _hint: Hint, tile: &mut Tile) {
+        job.isa.run(AllRays {
+            view: job.view,
+            tile,
+        });
         self.faces(
-            isa,
-            settings,
-            domain,
+            job.isa,
+            job.settings,
+            job.domain,
             tile,
             true,
             |tile, packet, lane, faces| {
                 for face in faces {
-                    let surface = index + face.leaf as u16;
+                    let surface = job.index + face.leaf as u16;
                     if keep(tile, packet, lane, face, surface) {
                         break;
                     }

@@ -53,7 +53,9 @@ pub struct Evaluations {
     pub spared: u64,
     /// Operands of solids that were searched along a part of a ray only.
     pub shortened: u64,
-    /// Evaluations of all kinds, each counted once per packet of eight.
+    /// Enclosures over beams, each counted once per packet of eight.
+    pub beams: u64,
+    /// Evaluations of all other kinds, each counted once per packet of eight.
     pub packets: u64,
 }
 
@@ -80,6 +82,7 @@ impl Evaluations {
         self.closed += other.closed;
         self.spared += other.spared;
         self.shortened += other.shortened;
+        self.beams += other.beams;
         self.packets += other.packets;
     }
 }

@@ -1,17 +1,12 @@
 //! The first root of each ray: the march, and what makes its brackets narrow.
 
-use core::any::Any;
 use core::marker::PhantomData;
 
 use super::march::{Range, give_up, march};
 use super::sharpen::{Second, sharpen};
-use super::{Events, Field, Refine, Settings, select};
+use super::{Brackets, Events, Field, Refine, Settings, select};
 use crate::contract::{Auto, Contractor};
-#[cfg(feature = "unrounded")]
-use crate::interval::ToNearest;
-#[cfg(target_arch = "x86_64")]
-use crate::interval::{Avx2, Avx512};
-use crate::interval::{Interval, Packet, Portable, Routine};
+use crate::interval::{Interval, Packet, Routine, back_ends};
 
 /// Where to search a packet's rays.
 pub(crate) struct Job<'b, P: Packet> {
@@ -21,6 +16,10 @@ pub(crate) struct Job<'b, P: Packet> {
     pub over: &'b Interval<P::F>,
     /// The rays that have one.
     pub live: P::M,
+    /// How long the first steps are.
+    pub first: P::F,
+    /// What is known already: rays that are not searched, whose brackets are made narrow.
+    pub known: Option<&'b Brackets<P>>,
     /// Is a sign change enough to end a ray's search?
     pub first_only: bool,
     /// What is met before the roots.
@@ -47,6 +46,8 @@ pub struct Solver<P: Packet> {
 }
 
 impl<P: Packet> Solver<P> {
+    const BY_DEFAULT: Self = Self::of::<Auto>();
+
     /// With the contractor `C`, compiled in the crate that asks for it.
     pub(crate) const fn of<C: Contractor>() -> Self {
         Solver {
@@ -56,7 +57,7 @@ impl<P: Packet> Solver<P> {
         }
     }
 
-    /// With [`Auto`], compiled here.
+    /// With [`Auto`], compiled here: a surface's crate compiles nothing of it.
     pub(crate) fn default() -> Self {
         let ready = DEFAULT.iter().find_map(|solver| solver.downcast_ref());
         // All back-ends are listed; one that were not would find nothing, and claim nothing.
@@ -80,29 +81,7 @@ impl<P: Packet> Solver<P> {
     }
 }
 
-/// Lists the back-ends.
-macro_rules! compiled {
-    ($($(#[$condition:meta])* $token:ty;)*) => {
-        /// Generic functions are compiled in the crate that names their types. Here they are named for the default
-        /// solver, so that a surface's crate compiles nothing of it.
-        static DEFAULT: &[&(dyn Any + Send + Sync)] =
-            &[$($(#[$condition])* &Solver::<$token>::of::<Auto>()),*];
-    };
-}
-
-compiled! {
-    #[cfg(target_arch = "x86_64")]
-    Avx512;
-    #[cfg(target_arch = "x86_64")]
-    Avx2;
-    Portable;
-    #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
-    Avx512<ToNearest>;
-    #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
-    Avx2<ToNearest>;
-    #[cfg(feature = "unrounded")]
-    Portable<ToNearest>;
-}
+back_ends!(DEFAULT: Solver::BY_DEFAULT);
 
 fn search<C: Contractor, P: Packet>(job: Job<'_, P>) -> Roots<P> {
     job.field.p.call(Search::<C, P> {
@@ -137,10 +116,14 @@ impl<C: Contractor, P: Packet> Routine<P> for Search<'_, C, P> {
         let range = Range {
             over: *job.over,
             live: job.live,
+            first: job.first,
             limit: job.field.counts.packets + u64::from(job.settings.budget),
             first_only: job.first_only,
         };
-        let found = march::<C, P>(&mut job.field, &range, job.events, job.cuts);
+        let mut found = march::<C, P>(&mut job.field, &range, job.events, job.cuts);
+        if let Some(known) = job.known {
+            found.join(p, known.found, known);
+        }
         let mut roots = Roots {
             hit: found.found,
             t: *job.over,

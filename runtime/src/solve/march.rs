@@ -46,6 +46,8 @@ pub(super) struct Range<P: Packet> {
     pub over: Interval<P::F>,
     /// The rays that have one.
     pub live: P::M,
+    /// How long the first steps are.
+    pub first: P::F,
     /// The evaluation count at which the search gives up.
     pub limit: u64,
     /// Is a sign change enough to end a ray's search?
@@ -81,7 +83,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
     let mut found = Brackets::none(p);
     let mut at = Front::<P> {
         front: range.over.lo,
-        back: end,
+        back: p.min_f(p.add_rn(range.over.lo, range.first), end),
         gap: Interval {
             lo: p.splat(-1.0),
             hi: p.splat(-1.0),

@@ -30,6 +30,8 @@ pub struct Settings {
     pub budget: u32,
     /// Quadrics by their discriminant, without a search.
     pub closed_forms: bool,
+    /// Trace beams of rays before rays.
+    pub beams: bool,
     /// Once a bracket with exactly one root is proved, converge in plain floats and certify the end; otherwise go on with
     /// enclosures.
     pub plain_convergence: bool,
@@ -40,6 +42,7 @@ impl Default for Settings {
         Settings {
             budget: 10_000,
             closed_forms: true,
+            beams: true,
             plain_convergence: true,
         }
     }

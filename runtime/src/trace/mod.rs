@@ -1,12 +1,15 @@
 //! A surface's kernels: what a scene runs per tile, and what a program runs for one ray.
 
+mod beams;
 mod entries;
 mod normals;
+mod plan;
 mod roots;
 mod survey;
 mod tile;
 mod trails;
 
+pub(crate) use beams::{AssembleLeaves, Leaves, SurveyGrid, WithBeams};
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use roots::{AlongRay, Trail};
 pub(crate) use survey::{Beam, BeamOf, SideOfBoxes, Survey, eighth};
@@ -16,7 +19,7 @@ pub(crate) use trails::{Mark, Trails, TrailsOfTile};
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};
 use crate::solve::{
-    Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form, select,
+    Brackets, Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form, select,
 };
 use crate::surface::{Active, Surface};
 use entries::Entries;
@@ -51,6 +54,10 @@ struct FirstRoots<'b, 'f, S: Surface, P: Packet> {
     entry: P::F,
     over: &'b Interval<P::F>,
     live: P::M,
+    /// How long the first steps are.
+    first: P::F,
+    /// Rays with exactly one root, of which it is known where: they are not searched.
+    known: Option<&'b Brackets<P>>,
     first_only: bool,
     events: &'b mut Events,
     /// Where the first ray's search went on, for those who keep account.
@@ -96,7 +103,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
             let decided = p.and(live, first.decided);
             self.surface.counts.closed += u64::from(p.bits(decided).count_ones());
             live = p.and_not(live, decided);
-            if !p.any(live) {
+            if !p.any(live) && self.known.is_none() {
                 return roots;
             }
             closed = Some(roots);
@@ -121,6 +128,8 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
             settings: self.settings,
             over: self.over,
             live,
+            first: self.first,
+            known: self.known,
             first_only: self.first_only,
             events: self.events,
             cuts: self.cuts.as_deref_mut(),

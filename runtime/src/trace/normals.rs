@@ -50,7 +50,10 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
             tile,
             ..
         } = self;
-        for packet in &mut tile.packets {
+        let mut entered = tile.entered;
+        while entered != 0 {
+            let packet = &mut tile.packets[entered.trailing_zeros() as usize];
+            entered &= entered - 1;
             let mut shown = packet.record.shown;
             for (lane, surface) in packet.record.surface.iter().enumerate() {
                 shown &= !(u8::from(*surface != index) << lane);

@@ -83,6 +83,8 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
                 entry: span.near,
                 over: &over,
                 live: one,
+                first: length,
+                known: None,
                 first_only: self.first_only,
                 events: &mut events,
                 cuts: Some(&mut trail.cuts),

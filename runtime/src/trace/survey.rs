@@ -92,7 +92,7 @@ impl<S: Surface> Kernel for Survey<'_, S> {
             end: p.splat(self.beam.end),
         };
         let active = S::everything(self.prepared);
-        let mut bound = S::unbound(p);
+        let mut bound = S::unbound::<P>(p);
         p.call(Bind::<S, P> {
             prepared: self.prepared,
             rays: &rays,

@@ -2,42 +2,30 @@
 
 use core::marker::PhantomData;
 
+use super::beams::{OverGroup, WithBeams};
+use super::plan::Plan;
 use super::{Bind, Entries, FirstRoots, OnRays};
+use crate::beam::{Hint, Single};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
-use crate::render::tile::{Event, PacketRays, Tile};
-use crate::solve::{Events, Settings};
-use crate::surface::Surface;
+use crate::render::tile::{Event, PacketRays, Tile, View};
+use crate::solve::{Brackets, Events, Settings};
+use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
 
 /// Traces one surface through a tile, and keeps what is nearer than what the tile holds.
 pub(crate) struct TraceTile<'a, S: Surface, C> {
-    prepared: &'a S::Prepared,
-    settings: &'a Settings,
-    domain: &'a [[f64; 3]; 2],
-    index: u16,
-    tile: &'a mut Tile,
-    solver: PhantomData<C>,
-}
-
-impl<'a, S: Surface, C: Contractor> TraceTile<'a, S, C> {
-    pub fn new(
-        prepared: &'a S::Prepared,
-        settings: &'a Settings,
-        domain: &'a [[f64; 3]; 2],
-        index: u16,
-        tile: &'a mut Tile,
-    ) -> Self {
-        TraceTile {
-            prepared,
-            settings,
-            domain,
-            index,
-            tile,
-            solver: PhantomData,
-        }
-    }
+    pub prepared: &'a S::Prepared,
+    pub settings: &'a Settings,
+    pub domain: &'a [[f64; 3]; 2],
+    pub index: u16,
+    pub view: &'a View<'a>,
+    pub beams: Option<WithBeams<'a>>,
+    /// What is known about the whole tile.
+    pub hint: Hint,
+    pub tile: &'a mut Tile,
+    pub solver: PhantomData<C>,
 }
 
 impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
@@ -45,58 +33,128 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        let TraceTile {
-            prepared,
-            settings,
-            domain,
-            index,
-            tile,
-            ..
-        } = self;
-        let active = S::everything(prepared);
-        let mut bound = S::unbound(p);
-        let mut events = Events::default();
-        let own = (*domain != tile.domain).then_some(domain);
-        let solver = C::solver();
-        for (number, packet) in tile.packets.iter_mut().enumerate() {
-            let (over, live) = segment(p, packet, own);
-            if !p.any(live) {
-                continue;
-            }
-            let end = p.select(live, over.hi, p.splat(-1.0));
-            let rays = Rays::recentred(p, &packet.lines, p.lanes(packet.record.entry), end);
-            p.call(Bind::<S, P> {
-                prepared,
-                rays: &rays,
-                active: &active,
-                bound: &mut bound,
-            });
-            let mut surface = OnRays {
-                entries: Entries::<S, P> {
-                    prepared,
-                    bound: &bound,
-                },
-                counts: &mut tile.counts,
-            };
-            let job = FirstRoots::<S, P> {
-                surface: &mut surface,
-                settings,
-                lines: &packet.lines,
-                entry: p.lanes(packet.record.entry),
-                over: &over,
-                live,
-                first_only: true,
-                events: &mut events,
-                cuts: None,
-                solver,
-            };
-            let roots = job.find(p);
-            keep(p, packet, roots.hit, &roots.t, index);
-            if events.touched != 0 {
-                collect(packet, number as u16, index, &mut events, &mut tile.events);
-            }
+        let mut plan = Plan::everything(&self.hint);
+        if let (Some(beams), None) = (self.beams, self.hint.single)
+            && let Some(mut over) = OverGroup::<S, P>::new(p, self.prepared, &beams)
+        {
+            plan = Plan::survey(p, &mut over, beams.space, self.view, &self.hint, self.tile);
+        }
+        let mut trace = Packets::<S, C, P> {
+            p,
+            prepared: self.prepared,
+            settings: self.settings,
+            own: (*self.domain != self.tile.domain).then_some(self.domain),
+            index: self.index,
+            view: self.view,
+            tile: self.tile,
+            active: S::everything(self.prepared),
+            bound: S::unbound::<P>(p),
+            events: Events::default(),
+            solver: PhantomData,
+        };
+        while plan.open != 0 {
+            let number = plan.open.trailing_zeros() as usize;
+            plan.open &= plan.open - 1;
+            trace.packet(number, &plan.hints[number]);
         }
     }
+}
+
+/// Packet after packet of a tile.
+struct Packets<'a, S: Surface, C, P: Packet> {
+    p: P,
+    prepared: &'a S::Prepared,
+    settings: &'a Settings,
+    /// The surface's box, if it is not the scene's.
+    own: Option<&'a [[f64; 3]; 2]>,
+    index: u16,
+    view: &'a View<'a>,
+    tile: &'a mut Tile,
+    active: Active,
+    bound: S::Bound<P>,
+    events: Events,
+    solver: PhantomData<C>,
+}
+
+impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
+    /// Traces a packet of the tile, of which this much is known.
+    #[inline(always)]
+    fn packet(&mut self, number: usize, hint: &Hint) {
+        let p = self.p;
+        self.tile.enter(p, self.view, number);
+        let packet = &mut self.tile.packets[number];
+        let (mut over, live) = segment(p, packet, self.own);
+        let entry = p.lanes(packet.record.entry);
+        over.lo = p.max_f(over.lo, p.sub_rd(p.splat(hint.front), entry));
+        let live = p.and(live, p.le(over.lo, over.hi));
+        if !p.any(live) {
+            return;
+        }
+        over.lo = p.select(live, over.lo, p.splat(0.0));
+        let end = p.select(live, over.hi, p.splat(-1.0));
+        let rays = Rays::recentred(p, &packet.lines, entry, end);
+        p.call(Bind::<S, P> {
+            prepared: self.prepared,
+            rays: &rays,
+            active: &self.active,
+            bound: &mut self.bound,
+        });
+        let known = hint
+            .single
+            .map(|single| brackets(p, &single, entry, &over, live));
+        let single = known.as_ref().map_or(p.none(), |known| known.found);
+        let mut surface = OnRays {
+            entries: Entries::<S, P> {
+                prepared: self.prepared,
+                bound: &self.bound,
+            },
+            counts: &mut self.tile.counts,
+        };
+        let job = FirstRoots::<S, P> {
+            surface: &mut surface,
+            settings: self.settings,
+            lines: &packet.lines,
+            entry,
+            over: &over,
+            live: p.and_not(live, single),
+            first: p.splat(hint.length),
+            known: known.as_ref(),
+            first_only: true,
+            events: &mut self.events,
+            cuts: None,
+            solver: C::solver(),
+        };
+        let roots = job.find(p);
+        keep(p, packet, roots.hit, &roots.t, self.index);
+        if self.events.touched != 0 {
+            let events = (&mut self.events, &mut self.tile.events);
+            collect(packet, number as u16, self.index, events);
+        }
+    }
+}
+
+/// The brackets of the rays that stay in the box while they are in the piece that holds their only root.
+#[inline(always)]
+fn brackets<P: Packet>(
+    p: P,
+    single: &Single,
+    entry: P::F,
+    over: &Interval<P::F>,
+    live: P::M,
+) -> Brackets<P> {
+    let t = Interval {
+        lo: p.sub_rd(p.splat(single.t[0]), entry),
+        hi: p.sub_ru(p.splat(single.t[1]), entry),
+    };
+    let inside = p.and(p.le(over.lo, t.lo), p.le(t.hi, over.hi));
+    let slope = Interval {
+        lo: p.splat(single.slope[0]),
+        hi: p.splat(single.slope[1]),
+    };
+    let mut known = Brackets::none(p);
+    let rising = p.lt(p.splat(0.0), slope.lo);
+    known.put(p, p.and(live, inside), &t, &slope, rising, t.hi);
+    known
 }
 
 /// The part of each ray that is still of interest, inside the surface's own box if that is not the scene's.
@@ -155,8 +213,7 @@ fn collect(
     packet: &mut PacketRays,
     number: u16,
     index: u16,
-    events: &mut Events,
-    all: &mut Vec<Event>,
+    (events, all): (&mut Events, &mut Vec<Event>),
 ) {
     for lane in 0..8u8 {
         let i = usize::from(lane);

@@ -122,7 +122,7 @@ impl<S: Surface> Kernel for TrailsOfTile<'_, S> {
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> Trails {
         let active = S::everything(self.prepared);
-        let mut bound = S::unbound(p);
+        let mut bound = S::unbound::<P>(p);
         let mut trails = Trails::default();
         let mut lists: [Vec<Verdict>; 8] = Default::default();
         for (packet, search) in self.packets.iter().zip(&self.search) {
@@ -198,6 +198,8 @@ fn all_events<S: Surface, P: Packet>(
             entry: p.lanes(packet.record.entry),
             over: &over,
             live,
+            first: over.hi,
+            known: None,
             first_only: false,
             events: &mut events,
             cuts: None,

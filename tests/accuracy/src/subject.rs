@@ -235,7 +235,7 @@ impl<S: Surface> Kernel for Run<'_, S> {
         let count = Cell::new(0);
         let mut probe = Bound::<S, P> {
             prepared: self.prepared,
-            bound: S::unbound(p),
+            bound: S::unbound::<P>(p),
         };
         let mut traced = Traced::default();
         traced.t.reserve(self.packets.len());

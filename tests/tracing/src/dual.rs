@@ -1,6 +1,6 @@
 //! Forward differentiation over any number system: plain, and looser than what the compiler emits.
 
-use zeroset::interval::{Arithmetic, Flags, Interval, Jet, Linear, Packet, Parameter};
+use zeroset::interval::{Arithmetic, Flags, Interval, Jet, Leaves, Linear, Packet, Parameter, Rebind};
 use zeroset::ray::Rays;
 use zeroset::surface::{Active, Continuity, ParameterError, Report, Surface};
 
@@ -171,7 +171,7 @@ impl<F: Formula> Hand<F> {
     fn along<A: Arithmetic, T: Parameter<A>>(
         formula: &F,
         a: A,
-        bound: &[Linear<A::Packet>; 3],
+        bound: &[<T::Leaves as Leaves>::Linear; 3],
         t: T,
     ) -> Dual<A> {
         let zero = a.constant(&Interval::ZERO);
@@ -208,7 +208,7 @@ impl<F: Formula> Surface for Hand<F> {
         space_operations: [0; 2],
     };
     type Prepared = F;
-    type Bound<P: Packet> = [Linear<P>; 3];
+    type Bound<L: Leaves> = [L::Linear; 3];
 
     #[inline(always)]
     fn check(&self) -> Result<(), ParameterError> {
@@ -241,8 +241,8 @@ impl<F: Formula> Surface for Hand<F> {
     ) {
     }
     #[inline(always)]
-    fn unbound<P: Packet>(p: P) -> [Linear<P>; 3] {
-        [Linear::zero(p); 3]
+    fn unbound<L: Leaves>(p: L::Packet) -> [L::Linear; 3] {
+        [L::linear(p); 3]
     }
     #[inline(always)]
     fn bind<P: Packet>(
@@ -257,10 +257,20 @@ impl<F: Formula> Surface for Hand<F> {
         }
     }
     #[inline(always)]
+    fn rebind<R: Rebind>(
+        map: &R,
+        from: &[<R::From as Leaves>::Linear; 3],
+        _active: &Active,
+        to: &mut [<R::To as Leaves>::Linear; 3],
+    ) -> bool {
+        *to = from.map(|leaf| map.linear(&leaf));
+        true
+    }
+    #[inline(always)]
     fn value<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &F,
-        bound: &[Linear<A::Packet>; 3],
+        bound: &[<T::Leaves as Leaves>::Linear; 3],
         t: T,
     ) -> Jet<A::Value, A::Packet, 1> {
         let f = Self::along(prepared, a, bound, t);
@@ -273,7 +283,7 @@ impl<F: Formula> Surface for Hand<F> {
     fn slope<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &F,
-        bound: &[Linear<A::Packet>; 3],
+        bound: &[<T::Leaves as Leaves>::Linear; 3],
         t: T,
     ) -> Jet<A::Value, A::Packet, 2> {
         let f = Self::along(prepared, a, bound, t);
@@ -286,7 +296,7 @@ impl<F: Formula> Surface for Hand<F> {
     fn curvature<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &F,
-        bound: &[Linear<A::Packet>; 3],
+        bound: &[<T::Leaves as Leaves>::Linear; 3],
         t: T,
     ) -> Jet<A::Value, A::Packet, 3> {
         let f = Self::along(prepared, a, bound, t);

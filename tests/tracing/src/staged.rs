@@ -1,6 +1,6 @@
 //! Two surfaces as the compiler would write them: leaves along the ray, and little per segment.
 
-use zeroset::interval::{Arithmetic, Interval, Jet, Packet, Parameter, Quadratic};
+use zeroset::interval::{Arithmetic, Interval, Jet, Leaves, Packet, Parameter, Quadratic, Rebind};
 use zeroset::ray::Rays;
 use zeroset::surface::{Active, Continuity, ParameterError, Report, Surface};
 
@@ -75,7 +75,7 @@ impl Surface for Blobs {
         space_operations: [0; 2],
     };
     type Prepared = Blobs;
-    type Bound<P: Packet> = Vec<Quadratic<P>>;
+    type Bound<L: Leaves> = Vec<L::Quadratic>;
 
     #[inline(always)]
     fn check(&self) -> Result<(), ParameterError> {
@@ -107,7 +107,7 @@ impl Surface for Blobs {
     ) {
     }
     #[inline(always)]
-    fn unbound<P: Packet>(_p: P) -> Vec<Quadratic<P>> {
+    fn unbound<L: Leaves>(_p: L::Packet) -> Vec<L::Quadratic> {
         Vec::new()
     }
     #[inline(always)]
@@ -124,10 +124,21 @@ impl Surface for Blobs {
         }
     }
     #[inline(always)]
+    fn rebind<R: Rebind>(
+        map: &R,
+        from: &Vec<<R::From as Leaves>::Quadratic>,
+        _active: &Active,
+        to: &mut Vec<<R::To as Leaves>::Quadratic>,
+    ) -> bool {
+        to.clear();
+        to.extend(from.iter().map(|leaf| map.quadratic(leaf)));
+        true
+    }
+    #[inline(always)]
     fn value<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Blobs,
-        bound: &Vec<Quadratic<A::Packet>>,
+        bound: &Vec<<T::Leaves as Leaves>::Quadratic>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 1> {
         let mut f = a.constant(&Interval::point(-prepared.level));
@@ -143,7 +154,7 @@ impl Surface for Blobs {
     fn slope<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Blobs,
-        bound: &Vec<Quadratic<A::Packet>>,
+        bound: &Vec<<T::Leaves as Leaves>::Quadratic>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 2> {
         let mut f = a.constant(&Interval::point(-prepared.level));
@@ -162,7 +173,7 @@ impl Surface for Blobs {
     fn curvature<A: Arithmetic, T: Parameter<A>>(
         a: A,
         prepared: &Blobs,
-        bound: &Vec<Quadratic<A::Packet>>,
+        bound: &Vec<<T::Leaves as Leaves>::Quadratic>,
         t: T,
     ) -> Jet<A::Value, A::Packet, 3> {
         let mut f = a.constant(&Interval::point(-prepared.level));
@@ -244,7 +255,7 @@ impl Surface for Ball {
         space_operations: [0; 2],
     };
     type Prepared = Interval;
-    type Bound<P: Packet> = Quadratic<P>;
+    type Bound<L: Leaves> = L::Quadratic;
 
     #[inline(always)]
     fn check(&self) -> Result<(), ParameterError> {
@@ -277,8 +288,8 @@ impl Surface for Ball {
     ) {
     }
     #[inline(always)]
-    fn unbound<P: Packet>(p: P) -> Quadratic<P> {
-        Quadratic::zero(p)
+    fn unbound<L: Leaves>(p: L::Packet) -> L::Quadratic {
+        L::quadratic(p)
     }
     #[inline(always)]
     fn bind<P: Packet>(
@@ -292,10 +303,20 @@ impl Surface for Ball {
         *bound = Quadratic::new(p, p.sub(leaf.c0, p.constant(prepared)), leaf.c1, leaf.c2);
     }
     #[inline(always)]
+    fn rebind<R: Rebind>(
+        map: &R,
+        from: &<R::From as Leaves>::Quadratic,
+        _active: &Active,
+        to: &mut <R::To as Leaves>::Quadratic,
+    ) -> bool {
+        *to = map.quadratic(from);
+        true
+    }
+    #[inline(always)]
     fn value<A: Arithmetic, T: Parameter<A>>(
         a: A,
         _prepared: &Interval,
-        bound: &Quadratic<A::Packet>,
+        bound: &<T::Leaves as Leaves>::Quadratic,
         t: T,
     ) -> Jet<A::Value, A::Packet, 1> {
         Jet {
@@ -307,7 +328,7 @@ impl Surface for Ball {
     fn slope<A: Arithmetic, T: Parameter<A>>(
         a: A,
         _prepared: &Interval,
-        bound: &Quadratic<A::Packet>,
+        bound: &<T::Leaves as Leaves>::Quadratic,
         t: T,
     ) -> Jet<A::Value, A::Packet, 2> {
         Jet {
@@ -319,7 +340,7 @@ impl Surface for Ball {
     fn curvature<A: Arithmetic, T: Parameter<A>>(
         a: A,
         _prepared: &Interval,
-        bound: &Quadratic<A::Packet>,
+        bound: &<T::Leaves as Leaves>::Quadratic,
         t: T,
     ) -> Jet<A::Value, A::Packet, 3> {
         let d = [

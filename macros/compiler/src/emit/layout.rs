@@ -193,7 +193,7 @@ impl Layout {
         quote!(([__zeroset::Interval; #count], __zeroset::primitive::bool, #(#rows,)*))
     }
 
-    /// The type `Bound<P>`.
+    /// The type `Bound<L>`.
     pub fn bound_type(&self) -> TokenStream {
         let top = leaves_type(&self.top);
         let rows = self.rows.iter().map(|(scope, store)| {
@@ -207,7 +207,7 @@ impl Layout {
 fn leaves_type(store: &Store) -> TokenStream {
     let linear = Literal::usize_unsuffixed(store.linear.len());
     let quadratic = Literal::usize_unsuffixed(store.quadratic.len());
-    quote!([__zeroset::Linear<P>; #linear], [__zeroset::Quadratic<P>; #quadratic],)
+    quote!([L::Linear; #linear], [L::Quadratic; #quadratic],)
 }
 
 fn nested(scope: Scope, row: TokenStream) -> TokenStream {

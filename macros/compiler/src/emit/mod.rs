@@ -5,6 +5,7 @@ mod enclosure;
 mod item;
 mod layout;
 mod polynomial;
+mod rebind;
 mod report;
 mod rows;
 mod scalar;
@@ -115,6 +116,7 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
     let check = item::check(compiled.graph, compiled.root, surface, &formula.fields);
     let (domain, at) = (item::domain(formula)?, scalar::at(formula));
     let (prepare, everything, bind) = (compiled.prepare(), compiled.everything(), compiled.bind());
+    let rebind = rebind::rebind(compiled);
     let segment = [
         compiled.segment("value", 1),
         compiled.segment("slope", 2),
@@ -130,13 +132,14 @@ fn members(compiled: &Compiled, formula: &Formula, surface: &str) -> Result<Toke
     Ok(quote! {
         #report
         type Prepared = #prepared;
-        type Bound<P: __zeroset::Packet> = #bound;
+        type Bound<L: __zeroset::Leaves> = #bound;
         #check
         #domain
         #at
         #prepare
         #everything
         #bind
+        #rebind
         #(#along)*
         #(#in_space)*
         #quadric

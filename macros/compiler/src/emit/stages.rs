@@ -146,10 +146,10 @@ impl Compiled<'_> {
         let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k));
         quote! {
             #[inline(always)]
-            fn unbound<P: __zeroset::Packet>(p: P) -> Self::Bound<P> {
+            fn unbound<L: __zeroset::Leaves>(p: L::Packet) -> Self::Bound<L> {
                 (
-                    [__zeroset::Linear::zero(p); #linear],
-                    [__zeroset::Quadratic::zero(p); #quadratic],
+                    [L::linear(p); #linear],
+                    [L::quadratic(p); #quadratic],
                     __zeroset::vec![__zeroset::Vec::new(); #lists],
                     #(#new,)*
                 )
@@ -265,7 +265,7 @@ impl Compiled<'_> {
             fn #name<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
                 a: A,
                 prepared: &Self::Prepared,
-                bound: &Self::Bound<A::Packet>,
+                bound: &Self::Bound<T::Leaves>,
                 t: T,
             ) -> __zeroset::Jet<A::Value, A::Packet, #n> {
                 #body

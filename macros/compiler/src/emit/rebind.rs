@@ -1,0 +1,77 @@
+//! From leaves to leaves: each leaf of the active rows, in the shape of the storage.
+
+use super::stages::Compiled;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// `rebind`. The rows of `from` are those of its own list of active rows, in ascending order, and so are those of `to`:
+/// one pass over both lists finds them.
+pub fn rebind(compiled: &Compiled) -> TokenStream {
+    let layout = compiled.layout;
+    let list: Vec<Literal> = (0..layout.outermost.len())
+        .map(Literal::usize_unsuffixed)
+        .collect();
+    let rows = (0..layout.rows.len()).map(|k| rows(compiled, k));
+    quote! {
+        #[inline(always)]
+        fn rebind<R: __zeroset::Rebind>(
+            map: &R,
+            from: &Self::Bound<R::From>,
+            active: &__zeroset::Active,
+            to: &mut Self::Bound<R::To>,
+        ) -> __zeroset::primitive::bool {
+            __zeroset::rebind_leaves(map, (&from.0, &from.1), (&mut to.0, &mut to.1));
+            #(
+                to.2[#list].clear();
+                to.2[#list].extend_from_slice(&active.rows[#list]);
+            )*
+            #(#rows)*
+            true
+        }
+    }
+}
+
+/// The rows of one scope, loop in loop; `old` is where the loop's rows are in `from`.
+fn rows(compiled: &Compiled, k: usize) -> TokenStream {
+    let Some((scope, _)) = compiled.layout.rows.get(k) else {
+        return TokenStream::new();
+    };
+    let place = compiled.layout.bound_rows(k);
+    let (from, to) = (of("from", &place), of("to", &place));
+    let mut code = quote!(__zeroset::rebind_row(map, old));
+    let folds: Vec<usize> = scope.folds().collect();
+    for (depth, fold) in folds.into_iter().enumerate().rev() {
+        // The outermost `Vec` keeps its room from beam to beam.
+        let (start, end) = if depth == 0 {
+            (quote!(let old = &#from; let new = &mut #to; new.clear();), quote!())
+        } else {
+            (quote!(let mut new = __zeroset::Vec::new();), quote!(new))
+        };
+        let (header, find) = match compiled.layout.active(fold) {
+            Some(list) => {
+                let at = format_ident!("at{fold}");
+                (
+                    quote!(let mut #at = 0; for row in &active.rows[#list]),
+                    quote! {
+                        while from.2[#list][#at] != *row {
+                            #at += 1;
+                        }
+                        let old = &old[#at];
+                    },
+                )
+            }
+            None => (quote!(for old in old), quote!()),
+        };
+        code = quote!({ #start #header { #find let made = #code; new.push(made); } #end });
+    }
+    code
+}
+
+/// `bound.5` of another variable.
+fn of(name: &str, place: &TokenStream) -> TokenStream {
+    let name = format_ident!("{name}");
+    let mut tokens = place.clone().into_iter();
+    tokens.next();
+    let rest: TokenStream = tokens.collect();
+    quote!(#name #rest)
+}

@@ -1,0 +1,32 @@
+//! What beams tell about the rays in them.
+
+/// Where a beam's rays are to be searched. Parameters count from the camera.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hint {
+    /// May there be roots at all?
+    pub open: bool,
+    /// No ray has a root before this …
+    pub front: f64,
+    /// … and steps of about this length are promising.
+    pub length: f64,
+    /// Each ray has exactly one root there and none before, unless it leaves the box.
+    pub single: Option<Single>,
+}
+
+/// A piece in which a ray has one root.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Single {
+    pub t: [f64; 2],
+    /// Bounds of the derivative along the rays there; 0 is outside.
+    pub slope: [f64; 2],
+}
+
+impl Hint {
+    /// Nothing is known.
+    pub const OPEN: Hint = Hint {
+        open: true,
+        front: 0.0,
+        length: f64::INFINITY,
+        single: None,
+    };
+}

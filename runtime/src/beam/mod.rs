@@ -1,0 +1,20 @@
+//! Beams: all rays of a rectangle of pixels at once, enclosed by the code that the macro generated for single rays.
+//!
+//! In the affine coordinates (t, x, y) of a [`Frame`] a beam's piece is a box, and a leaf of degree ≤ 2 a quadratic
+//! polynomial of ten coefficients ([`OverBeams`]). They are computed once per picture, and moved to the middle of each beam.
+//! Then f over a piece of a beam is what generated code makes of the leaves' ranges there ([`Slab`]), and its derivatives
+//! by x, by y or along the rays are what it makes of the leaves' derivatives ([`Towards`]). With these f is also
+//! enclosed by its mean value form about the middle ray, f(t, 0, 0) + x·f_x + y·f_y, where f is continuous.
+
+mod frame;
+mod group;
+mod hint;
+mod leaf;
+mod survey;
+
+pub(crate) use frame::{Frame, View};
+pub(crate) use group::{Group, Grid};
+pub(crate) use hint::{Hint, Single};
+pub(crate) use leaf::{Assemble, Shift};
+pub use leaf::{Direction, LinearOver, OverBeams, QuadraticOver, Slab, Towards};
+pub(crate) use survey::{Bundle, Request, Scout, Space};

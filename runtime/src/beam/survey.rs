@@ -1,0 +1,354 @@
+//! What is certain for all rays of a beam: where there is no root, and where there is exactly one on each ray.
+
+use super::{Direction, Frame, Grid, Group, Hint, Shift, Single, Slab, Towards};
+use crate::interval::{Interval, Packet, Routine, back_ends};
+use crate::solve::{Enclosed, differentiable, excluded, nonzero, select};
+
+/// A surface over eight beams. An object, so that the survey is compiled once per instruction set.
+pub(crate) trait Bundle<P: Packet> {
+    /// Moves the picture's leaves to other beams.
+    fn shift(&mut self, p: P, shift: &Shift<P>);
+    /// f over a piece.
+    fn value(&self, p: P, over: &Slab<P::F>) -> Enclosed<P, 1>;
+    /// f and a derivative over a piece.
+    fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2>;
+}
+
+/// A picture's frame, and the surface's box in it.
+#[derive(Clone, Copy)]
+pub(crate) struct Space<'a> {
+    pub frame: &'a Frame,
+    pub domain: &'a [[f64; 3]; 2],
+}
+
+/// Eight beams to be surveyed.
+pub(crate) struct Request<'a> {
+    pub space: Space<'a>,
+    /// Where the upper left pixel is sampled, in pixels to the right and up from the middle of the picture.
+    pub corner: [f64; 2],
+    pub grid: &'a Grid,
+    /// The beams that are of interest.
+    pub live: u8,
+    /// What is known about all of them.
+    pub known: &'a Hint,
+}
+
+/// The survey, compiled here for each instruction set.
+#[derive(Clone, Copy)]
+pub(crate) struct Scout<P: Packet>(fn(P, &mut dyn Bundle<P>, &Request, &mut u64) -> [Hint; 8]);
+
+back_ends!(SCOUTS: Scout::READY);
+
+impl<P: Packet> Scout<P> {
+    const READY: Self = Scout(|p, surface, request, count| {
+        p.call(Survey {
+            surface,
+            request,
+            count,
+        })
+    });
+
+    /// What is known about each beam; evaluations are counted once for all eight.
+    pub fn survey(
+        p: P,
+        surface: &mut dyn Bundle<P>,
+        request: &Request,
+        count: &mut u64,
+    ) -> [Hint; 8] {
+        let scout = SCOUTS.iter().find_map(|scout| scout.downcast_ref::<Self>());
+        // All back-ends are listed; one that were not would know nothing.
+        scout.map_or([Hint::OPEN; 8], |scout| scout.0(p, surface, request, count))
+    }
+}
+
+struct Survey<'a, 'b, P: Packet> {
+    surface: &'a mut dyn Bundle<P>,
+    request: &'a Request<'b>,
+    count: &'a mut u64,
+}
+
+impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
+    type Output = [Hint; 8];
+
+    #[inline(always)]
+    fn call(self, p: P) -> [Hint; 8] {
+        let Request {
+            space: Space { frame, domain },
+            corner,
+            grid,
+            live,
+            known,
+        } = *self.request;
+        let group = Group::new(p, frame, corner, grid);
+        self.surface.shift(p, &group.shift(p));
+        let span = group.span(p, domain);
+        let start = p.splat((known.front - frame.near).max(0.0));
+        let start = p.max_f(start, span.lo);
+        let mut surveyor = Surveyor {
+            p,
+            surface: self.surface,
+            group: &group,
+            live: p.and(p.mask(live), p.le(start, span.hi)),
+            start,
+            end: p.max_f(span.hi, start),
+            first: p.splat(known.length.min(0.25 * (frame.far - frame.near))),
+            count: self.count,
+        };
+        let mut found = surveyor.march();
+        if p.any(found.open) {
+            surveyor.prove_single(&mut found);
+        }
+        found.hints(p, frame)
+    }
+}
+
+/// Eight beams and where to look; t counts from the frame's `near`.
+struct Surveyor<'a, P: Packet> {
+    p: P,
+    surface: &'a dyn Bundle<P>,
+    group: &'a Group<'a, P>,
+    /// The beams that are looked at.
+    live: P::M,
+    /// No root lies before this …
+    start: P::F,
+    /// … and what lies behind this is of no interest.
+    end: P::F,
+    /// How long the first step is.
+    first: P::F,
+    /// Evaluations, each of eight beams.
+    count: &'a mut u64,
+}
+
+/// What is known about eight beams.
+#[derive(Clone, Copy)]
+struct Found<P: Packet> {
+    /// Beams in which a root may be.
+    open: P::M,
+    /// No point of the beam before this is a root.
+    front: P::F,
+    /// Where the search stopped: a length that could not be excluded at the front.
+    length: P::F,
+    /// Beams whose every ray has exactly one root between `front` and `back`, with certain signs of f near both, …
+    one: P::M,
+    back: P::F,
+    /// … and this derivative along it.
+    slope: Interval<P::F>,
+}
+
+impl<P: Packet> Found<P> {
+    /// From the frame's t to the rays', which differ by the frame's slack.
+    #[inline(always)]
+    fn hints(&self, p: P, frame: &Frame) -> [Hint; 8] {
+        let near = p.splat(frame.near);
+        let slack = p.splat(frame.slack);
+        let free = p.to_array(p.sub_rd(p.add_rd(self.front, near), slack));
+        let first = p.to_array(p.add_rd(p.add_rd(self.front, slack), near));
+        let last = p.to_array(p.add_ru(p.sub_ru(self.back, slack), near));
+        let length = p.to_array(self.length);
+        let (lo, hi) = (p.to_array(self.slope.lo), p.to_array(self.slope.hi));
+        let (open, one) = (p.bits(self.open), p.bits(self.one));
+        let mut hints = [Hint::OPEN; 8];
+        for (lane, hint) in hints.iter_mut().enumerate() {
+            *hint = Hint {
+                open: open >> lane & 1 != 0,
+                front: free[lane],
+                length: length[lane],
+                single: (one >> lane & 1 != 0).then_some(Single {
+                    t: [first[lane], last[lane]],
+                    slope: [lo[lane], hi[lane]],
+                }),
+            };
+        }
+        hints
+    }
+}
+
+/// The mean value form needs these.
+struct Sides<P: Packet> {
+    by: [Interval<P::F>; 2],
+    usable: P::M,
+}
+
+/// Beams are not split below so many of their widths: what is nearer is the business of the narrower beams inside.
+const SHORTEST: f64 = 0.5;
+
+impl<P: Packet> Surveyor<'_, P> {
+    #[inline(always)]
+    fn value(&mut self, over: &Slab<P::F>) -> Enclosed<P, 1> {
+        *self.count += 1;
+        self.surface.value(self.p, over)
+    }
+
+    #[inline(always)]
+    fn slope(&mut self, over: Slab<P::F>, direction: Direction) -> Enclosed<P, 2> {
+        *self.count += 1;
+        let towards = self.group.towards(self.p, over, direction);
+        self.surface.slope(self.p, &towards)
+    }
+
+    /// From the front: what is excluded is passed with steps that grow, what is not is tried again at half the length,
+    /// down to the width of the beam.
+    #[inline(always)]
+    fn march(&mut self) -> Found<P> {
+        let p = self.p;
+        let mut live = self.live;
+        let mut open = p.none();
+        let mut front = self.start;
+        let shortest = p.mul_rn(self.group.width(p, front), p.splat(SHORTEST));
+        let mut length = p.max_f(self.first, shortest);
+        let mut round = 0;
+        while p.any(live) {
+            let back = p.min_f(p.add_rn(front, length), self.end);
+            let t = Interval {
+                lo: front,
+                hi: p.max_f(back, front),
+            };
+            let slab = self.group.slab(p, &t);
+            let f = self.value(&slab);
+            let mut none = excluded(p, &f.d[0], &f.flags, live);
+            let short = p.le(length, p.mul_rn(shortest, p.splat(4.0)));
+            let rest = p.and(p.and_not(live, none), short);
+            if p.any(rest) {
+                let sides = self.sides(slab, rest);
+                let f = self.mean(&t, &slab, &sides);
+                let certain = p.and(sides.usable, nonzero(p, &f));
+                none = p.or(none, p.and(rest, certain));
+            }
+            front = p.select(none, t.hi, front);
+            live = p.and_not(live, p.and(none, p.le(self.end, front)));
+            let failed = p.and_not(live, none);
+            let half = p.mul_rn(length, p.splat(0.5));
+            let stuck = p.and(failed, p.lt(half, shortest));
+            open = p.or(open, stuck);
+            live = p.and_not(live, stuck);
+            let longer = p.select(none, p.add_rn(length, length), half);
+            length = p.select(live, longer, length);
+            round += 1;
+            if round == 200 {
+                open = p.or(open, live);
+                break;
+            }
+        }
+        Found {
+            open,
+            front,
+            length,
+            one: p.none(),
+            back: self.end,
+            slope: Interval {
+                lo: front,
+                hi: front,
+            },
+        }
+    }
+
+    /// The derivatives by x and y over a slab.
+    #[inline(always)]
+    fn sides(&mut self, slab: Slab<P::F>, live: P::M) -> Sides<P> {
+        let p = self.p;
+        let x = self.slope(slab, Direction::Right);
+        let y = self.slope(slab, Direction::Up);
+        let usable = differentiable(p, &x.flags, live);
+        Sides {
+            by: [x.d[1], y.d[1]],
+            usable: differentiable(p, &y.flags, usable),
+        }
+    }
+
+    /// f over `t`, which is part of where the sides' derivatives hold: f(t, 0, 0) ± |x|·|f_x| ± |y|·|f_y|.
+    #[inline(always)]
+    fn mean(&mut self, t: &Interval<P::F>, slab: &Slab<P::F>, sides: &Sides<P>) -> Interval<P::F> {
+        let p = self.p;
+        let zero = p.splat(0.0);
+        let middle = self.value(&Slab {
+            t: *t,
+            half: [zero; 2],
+        });
+        let x = p.mul_nonneg_ru(slab.half[0], p.magnitude(sides.by[0]));
+        let y = p.mul_nonneg_ru(slab.half[1], p.magnitude(sides.by[1]));
+        let around = p.add_ru(x, y);
+        Interval {
+            lo: p.sub_rd(middle.d[0].lo, around),
+            hi: p.add_ru(middle.d[0].hi, around),
+        }
+    }
+
+    /// Every ray of a beam has exactly one root in a piece if f has opposite certain signs on its two end faces, is continuous
+    /// between them, and strictly monotone along all rays.
+    #[inline(always)]
+    fn prove_single(&mut self, found: &mut Found<P>) {
+        let p = self.p;
+        let front = found.front;
+        let root = self.guess(front);
+        let ahead = p.sub_rn(root, front);
+        let back = p.add_rn(root, p.mul_rn(ahead, p.splat(1.25)));
+        let slack = p.splat(8.0 * self.group.slack());
+        let back = p.max_f(p.add_rn(back, slack), front);
+        let likely = p.and(found.open, p.and(p.le(back, self.end), p.lt(front, back)));
+        if !p.any(likely) {
+            return;
+        }
+        let back = p.select(likely, back, front);
+        let t = Interval {
+            lo: front,
+            hi: back,
+        };
+        let slab = self.group.slab(p, &t);
+        let along = self.slope(slab, Direction::Along);
+        let smooth = differentiable(p, &along.flags, likely);
+        let steep = p.and(smooth, nonzero(p, &along.d[1]));
+        if !p.any(steep) {
+            return;
+        }
+        let sides = self.sides(slab, steep);
+        let slack = p.splat(2.0 * self.group.slack());
+        let first = Interval {
+            lo: front,
+            hi: p.add_ru(front, slack),
+        };
+        let last = Interval {
+            lo: p.sub_rd(back, slack),
+            hi: back,
+        };
+        let before = self.mean(&first, &slab, &sides);
+        let behind = self.mean(&last, &slab, &sides);
+        let zero = p.splat(0.0);
+        let rises = p.and(p.lt(before.hi, zero), p.lt(zero, behind.lo));
+        let falls = p.and(p.lt(zero, before.lo), p.lt(behind.hi, zero));
+        let one = p.and(p.and(steep, sides.usable), p.or(rises, falls));
+        found.one = one;
+        found.back = p.select(one, back, found.back);
+        found.slope = select(p, one, &along.d[1], &found.slope);
+    }
+
+    /// Where the middle ray's root may be: a few Newton steps from the front, which prove nothing.
+    #[inline(always)]
+    fn guess(&mut self, front: P::F) -> P::F {
+        let p = self.p;
+        let zero = p.splat(0.0);
+        let half = p.splat(0.5);
+        let mut x = front;
+        for _ in 0..4 {
+            *self.count += 1;
+            let f = self.surface.slope(
+                p,
+                &Towards {
+                    over: Slab {
+                        t: Interval { lo: x, hi: x },
+                        half: [zero; 2],
+                    },
+                    direction: Direction::Along,
+                    tilt: zero,
+                    turn: [zero; 2],
+                },
+            );
+            let value = p.mul_rn(half, p.add_rn(f.d[0].lo, f.d[0].hi));
+            let slope = p.mul_rn(half, p.add_rn(f.d[1].lo, f.d[1].hi));
+            let next = p.sub_rn(x, p.div_rn(value, slope));
+            // A step that leads nowhere, or is no number, is not taken.
+            let fine = p.and(p.le(front, next), p.le(next, self.end));
+            x = p.select(fine, next, x);
+        }
+        x
+    }
+}

@@ -1,0 +1,163 @@
+//! A surface over beams: its leaves for a picture, and what is certain for the tiles of a block.
+
+use core::any::Any;
+use core::marker::PhantomData;
+
+use super::Bind;
+use crate::beam::{
+    Assemble, Bundle, Frame, Hint, OverBeams, Request, Scout, Shift, Slab, Space, Towards,
+};
+use crate::interval::{Kernel, Packet, Routine};
+use crate::ray::Rays;
+use crate::solve::Enclosed;
+use crate::surface::Surface;
+
+/// The leaves of a whole picture, `S::Bound<OverBeams<P>>` of the render's instruction set.
+pub(crate) type Leaves = Box<dyn Any + Send + Sync>;
+
+/// What beams need.
+#[derive(Clone, Copy)]
+pub(crate) struct WithBeams<'a> {
+    pub space: Space<'a>,
+    pub leaves: &'a (dyn Any + Send + Sync),
+}
+
+/// Computes the leaves of a picture; nothing for a surface without leaves.
+pub(crate) struct AssembleLeaves<'a, S: Surface> {
+    pub prepared: &'a S::Prepared,
+    pub frame: &'a Frame,
+}
+
+impl<S: Surface> Kernel for AssembleLeaves<'_, S> {
+    type Output = Option<Leaves>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Option<Leaves> {
+        let active = S::everything(self.prepared);
+        let mut along = S::unbound::<P>(p);
+        p.call(Bind::<S, P> {
+            prepared: self.prepared,
+            rays: &lines(p, self.frame),
+            active: &active,
+            bound: &mut along,
+        });
+        let mut over = S::unbound::<OverBeams<P>>(p);
+        S::rebind(&Assemble(p), &along, &active, &mut over).then(|| Box::new(over) as Leaves)
+    }
+}
+
+/// The lines through the frame's origin, which is `near` in front of the camera, that [`Assemble`] asks for.
+#[inline(always)]
+fn lines<P: Packet>(p: P, frame: &Frame) -> Rays<P> {
+    const FORWARD: [f64; 8] = [1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0];
+    const RIGHT: [f64; 8] = [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0];
+    const UP: [f64; 8] = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0];
+    let near = p.splat(frame.near);
+    let [t, x, y] = [FORWARD, RIGHT, UP].map(|weights| p.lanes(weights));
+    let mut rays = Rays {
+        origin: [p.point(near); 3],
+        direction: [p.point(near); 3],
+        end: p.splat(f64::INFINITY),
+    };
+    for axis in 0..3 {
+        let [forward, right, up] = frame.axes.map(|v| p.splat(v[axis]));
+        rays.origin[axis] = p.recentre(near, forward, p.splat(frame.from[axis]));
+        // Weights are 0 or 1: the products are exact.
+        let part = |weight: P::F, v: P::F| p.point(p.mul_rn(weight, v));
+        rays.direction[axis] = p.add(p.add(part(t, forward), part(x, right)), part(y, up));
+    }
+    rays
+}
+
+/// A surface bound to eight beams.
+pub(super) struct OverGroup<'a, S: Surface, P: Packet> {
+    prepared: &'a S::Prepared,
+    /// The picture's leaves.
+    from: &'a S::Bound<OverBeams<P>>,
+    /// These beams' leaves.
+    bound: S::Bound<OverBeams<P>>,
+}
+
+impl<'a, S: Surface, P: Packet> OverGroup<'a, S, P> {
+    /// Nothing if the leaves are not this surface's, on this instruction set.
+    pub fn new(p: P, prepared: &'a S::Prepared, beams: &WithBeams<'a>) -> Option<Self> {
+        Some(OverGroup {
+            prepared,
+            from: beams.leaves.downcast_ref()?,
+            bound: S::unbound::<OverBeams<P>>(p),
+        })
+    }
+}
+
+impl<S: Surface, P: Packet> Bundle<P> for OverGroup<'_, S, P> {
+    fn shift(&mut self, p: P, shift: &Shift<P>) {
+        p.call(Rebound { of: self, shift });
+    }
+    fn value(&self, p: P, over: &Slab<P::F>) -> Enclosed<P, 1> {
+        p.call(Value { of: self, over })
+    }
+    fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2> {
+        p.call(Slope { of: self, over })
+    }
+}
+
+struct Rebound<'a, 'b, S: Surface, P: Packet> {
+    of: &'a mut OverGroup<'b, S, P>,
+    shift: &'a Shift<P>,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Rebound<'_, '_, S, P> {
+    type Output = ();
+    #[inline(always)]
+    fn call(self, _p: P) {
+        let active = S::everything(self.of.prepared);
+        S::rebind(self.shift, self.of.from, &active, &mut self.of.bound);
+    }
+}
+
+struct Value<'a, 'b, S: Surface, P: Packet> {
+    of: &'a OverGroup<'b, S, P>,
+    over: &'a Slab<P::F>,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Value<'_, '_, S, P> {
+    type Output = Enclosed<P, 1>;
+    #[inline(always)]
+    fn call(self, p: P) -> Enclosed<P, 1> {
+        S::value(p, self.of.prepared, &self.of.bound, *self.over)
+    }
+}
+
+struct Slope<'a, 'b, S: Surface, P: Packet> {
+    of: &'a OverGroup<'b, S, P>,
+    over: &'a Towards<P::F>,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Slope<'_, '_, S, P> {
+    type Output = Enclosed<P, 2>;
+    #[inline(always)]
+    fn call(self, p: P) -> Enclosed<P, 2> {
+        S::slope(p, self.of.prepared, &self.of.bound, *self.over)
+    }
+}
+
+/// What is known about the beams of a grid.
+pub(crate) struct SurveyGrid<'a, S: Surface> {
+    pub prepared: &'a S::Prepared,
+    pub beams: WithBeams<'a>,
+    pub request: &'a Request<'a>,
+    pub count: &'a mut u64,
+    pub surface: PhantomData<S>,
+}
+
+impl<S: Surface> Kernel for SurveyGrid<'_, S> {
+    type Output = [Hint; 8];
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> [Hint; 8] {
+        match OverGroup::<S, P>::new(p, self.prepared, &self.beams) {
+            Some(mut over) => Scout::survey(p, &mut over, self.request, self.count),
+            None => [Hint::OPEN; 8],
+        }
+    }
+}
