@@ -62,29 +62,29 @@ fn draw_panel(surface: &Surface, panel: &Area) -> Result<(), Box<dyn Error>> {
         .draw()?;
     let place = |row: &Row| {
         let ns = row.nanoseconds.clamp(10.0, 1e5);
-        (ns, row.score.largest().clamp(FLOOR, 1.0))
+        (ns, row.found.largest.clamp(FLOOR, 1.0))
     };
     for (name, colour) in METHODS {
         let rows: Vec<&Row> = surface
             .rows
             .iter()
             .filter(|row| row.method == name && row.tuning == Tuning::Careful)
-            .filter(|row| !row.score.errors.is_empty())
+            .filter(|row| row.found.right > 0)
             .collect();
         chart.draw_series(LineSeries::new(rows.iter().map(|row| place(row)), colour))?;
         chart.draw_series(rows.iter().map(|row| {
-            let style = match row.score.wrong() {
+            let style = match row.found.wrong() {
                 0 => colour.filled(),
                 _ => colour.stroke_width(1),
             };
             Circle::new(place(row), 3, style)
         }))?;
     }
-    let best = surface.rows[0].isa;
+    let best = &surface.rows[0].isa;
     let ours = surface
         .rows
         .iter()
-        .filter(|row| row.is_ours() && row.isa == best);
+        .filter(|row| row.is_ours() && row.isa == *best);
     chart.draw_series(ours.enumerate().map(|(k, row)| {
         let width = if k == 0 { 3 } else { 1 };
         Cross::new(place(row), 4, OURS.stroke_width(width))

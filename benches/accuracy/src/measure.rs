@@ -31,17 +31,54 @@ pub enum Tuning {
 /// One method at one tolerance.
 #[derive(Clone, Debug)]
 pub struct Row {
-    pub surface: &'static str,
-    pub method: &'static str,
+    pub surface: String,
+    pub method: String,
     /// Steps, or a degree.
     pub setting: Option<u32>,
     pub tuning: Tuning,
-    pub isa: &'static str,
+    pub isa: String,
     pub tolerance: Option<f64>,
     /// Processor time per ray; the median.
     pub nanoseconds: f64,
     pub evaluations: f64,
-    pub score: Score,
+    pub found: Found,
+}
+
+/// What a row keeps of a score.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Found {
+    pub largest: f64,
+    pub median: f64,
+    /// Rays that were judged, and how many of them …
+    pub rays: u32,
+    /// … have the right root, …
+    pub right: u32,
+    /// … are wrong in one of three ways, …
+    pub missed: u32,
+    pub invented: u32,
+    pub wrong_sheet: u32,
+    /// … or open.
+    pub open: u32,
+}
+
+impl Found {
+    fn of(score: &Score) -> Self {
+        Found {
+            largest: score.largest(),
+            median: score.median(),
+            rays: score.rays,
+            right: score.errors.len() as u32,
+            missed: score.missed,
+            invented: score.invented,
+            wrong_sheet: score.wrong_sheet,
+            open: score.open,
+        }
+    }
+
+    /// Wrong answers of all kinds.
+    pub fn wrong(&self) -> u32 {
+        self.missed + self.invented + self.wrong_sheet
+    }
 }
 
 impl Row {
@@ -66,19 +103,19 @@ pub fn measure(subject: &dyn Subject, known: &[Known]) -> Vec<Row> {
     let mut works = Vec::new();
     let mut rows = Vec::new();
     for isa in Isa::available() {
-        for solver in Solver::ALL {
+        for &solver in subject.solvers() {
             let (score, evaluations) = trial.ours(solver, isa);
             works.push(Work::Ours(solver, isa));
             rows.push(Row {
-                surface: subject.name(),
-                method: solver.name(),
+                surface: subject.name().to_owned(),
+                method: solver.name().to_owned(),
                 setting: None,
                 tuning: Tuning::None,
-                isa: isa.name(),
+                isa: isa.name().to_owned(),
                 tolerance: None,
                 nanoseconds: 0.0,
                 evaluations,
-                score,
+                found: Found::of(&score),
             });
         }
     }
@@ -87,15 +124,15 @@ pub fn measure(subject: &dyn Subject, known: &[Known]) -> Vec<Row> {
             for (tuning, method, score, evaluations) in tuned(&trial, &settings, tolerance, best) {
                 works.push(Work::Theirs(method, tolerance));
                 rows.push(Row {
-                    surface: subject.name(),
-                    method: method.name(),
+                    surface: subject.name().to_owned(),
+                    method: method.name().to_owned(),
                     setting: Some(method.setting()),
                     tuning,
-                    isa: best.name(),
+                    isa: best.name().to_owned(),
                     tolerance: Some(tolerance),
                     nanoseconds: 0.0,
                     evaluations,
-                    score,
+                    found: Found::of(&score),
                 });
             }
         }
@@ -142,7 +179,8 @@ fn tuned(
 fn timed(subject: &dyn Subject, trial: &Trial, works: &[Work], best: Isa) -> Vec<f64> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.expect("one thread");
-    let scenes = Solver::ALL.map(|solver| (solver, subject.scene(solver)));
+    let solvers = subject.solvers().iter();
+    let scenes: Vec<_> = solvers.map(|&s| (s, subject.scene(s))).collect();
     let camera = subject.camera();
     let mut times = vec![Vec::with_capacity(RUNS); works.len()];
     for _ in 0..RUNS {

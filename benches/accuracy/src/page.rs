@@ -11,7 +11,7 @@ const ERRORS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 /// The rows of one surface.
 pub struct Surface<'a> {
-    pub name: &'static str,
+    pub name: &'a str,
     pub rows: &'a [Row],
 }
 
@@ -19,7 +19,7 @@ impl<'a> Surface<'a> {
     pub fn all(rows: &'a [Row]) -> impl Iterator<Item = Surface<'a>> {
         rows.chunk_by(|a, b| a.surface == b.surface)
             .map(|rows| Surface {
-                name: rows[0].surface,
+                name: &rows[0].surface,
                 rows,
             })
     }
@@ -33,9 +33,9 @@ impl<'a> Surface<'a> {
     fn fastest(&self, error: f64, wrong: bool) -> Option<&'a Row> {
         self.rows
             .iter()
-            .filter(|row| !row.is_ours() && !row.score.errors.is_empty())
-            .filter(|row| row.score.largest() <= error && (row.score.wrong() > 0) == wrong)
-            .filter(|row| f64::from(row.score.wrong()) <= CARELESS * f64::from(row.score.rays))
+            .filter(|row| !row.is_ours() && row.found.right > 0)
+            .filter(|row| row.found.largest <= error && (row.found.wrong() > 0) == wrong)
+            .filter(|row| f64::from(row.found.wrong()) <= CARELESS * f64::from(row.found.rays))
             .min_by(|a, b| a.nanoseconds.total_cmp(&b.nanoseconds))
     }
 }
@@ -51,7 +51,7 @@ pub fn write(rows: &[Row]) -> String {
 }
 
 fn head(rows: &[Row]) -> String {
-    let isa = rows.first().map_or("", |row| row.isa);
+    let isa = rows.first().map_or("", |row| &row.isa);
     format!(
         "# Run time against error
 
@@ -96,12 +96,12 @@ fn verdict(page: &mut String, rows: &[Row]) -> std::fmt::Result {
     for surface in Surface::all(rows) {
         let auto = surface.auto();
         let ours = surface.rows.iter().filter(|row| row.is_ours());
-        wrong += ours.map(|row| row.score.wrong()).sum::<u32>();
+        wrong += ours.map(|row| row.found.wrong()).sum::<u32>();
         for error in ERRORS {
             total += 1;
             let mut misses = Vec::new();
-            if auto.score.largest() > error {
-                misses.push(format!("its largest error is {:.1e}", auto.score.largest()));
+            if auto.found.largest > error {
+                misses.push(format!("its largest error is {:.1e}", auto.found.largest));
             }
             if let Some(row) = surface
                 .fastest(error, false)
@@ -121,8 +121,8 @@ fn verdict(page: &mut String, rows: &[Row]) -> std::fmt::Result {
                     "{} takes {:.2} times its time with {} of {} rays wrong",
                     row.method,
                     ratio(row, auto),
-                    row.score.wrong(),
-                    row.score.rays
+                    row.found.wrong(),
+                    row.found.rays
                 ));
             }
             if misses.is_empty() {
@@ -147,11 +147,9 @@ fn verdict(page: &mut String, rows: &[Row]) -> std::fmt::Result {
 
 /// This library's solvers beside each other.
 fn solvers(page: &mut String, rows: &[Row]) -> std::fmt::Result {
-    let names: Vec<String> = rows
-        .iter()
-        .take_while(|row| row.is_ours())
-        .map(|row| format!("{}, {}", row.method, row.isa))
-        .collect();
+    // The first surface has all of them.
+    let first = rows.iter().take_while(|row| row.is_ours());
+    let names: Vec<String> = first.map(|row| format!("{}, {}", row.method, row.isa)).collect();
     writeln!(
         page,
         "## Solvers of this library\n\nNanoseconds per ray, and for the default its largest and median error, evaluations per ray, and open rays of 256.\n"
@@ -164,21 +162,21 @@ fn solvers(page: &mut String, rows: &[Row]) -> std::fmt::Result {
     writeln!(page, "|{}", "---|".repeat(names.len() + 5))?;
     for surface in Surface::all(rows) {
         let auto = surface.auto();
-        let times: Vec<String> = surface
-            .rows
-            .iter()
-            .take_while(|row| row.is_ours())
-            .map(|row| format!("{:.0}", row.nanoseconds))
-            .collect();
+        let time = |name: &String| {
+            let named = |row: &&Row| row.is_ours() && format!("{}, {}", row.method, row.isa) == *name;
+            let row = surface.rows.iter().find(named);
+            row.map(|row| format!("{:.0}", row.nanoseconds)).unwrap_or_default()
+        };
+        let times: Vec<String> = names.iter().map(time).collect();
         writeln!(
             page,
             "| {} | {} | {:.1e} | {:.1e} | {:.1} | {} |",
             surface.name,
             times.join(" | "),
-            auto.score.largest(),
-            auto.score.median(),
+            auto.found.largest,
+            auto.found.median,
             auto.evaluations,
-            auto.score.open
+            auto.found.open
         )?;
     }
     writeln!(page)
@@ -206,7 +204,7 @@ fn table(page: &mut String, rows: &[Row], error: f64) -> std::fmt::Result {
             }
         };
         let [safe, fast] = [false, true].map(|wrong| surface.fastest(error, wrong));
-        let wrong = fast.map(|row| format!("{} of {}", row.score.wrong(), row.score.rays));
+        let wrong = fast.map(|row| format!("{} of {}", row.found.wrong(), row.found.rays));
         writeln!(
             page,
             "| {} | {:.0} | {} | {} | {} |",

@@ -23,7 +23,9 @@ pub trait Subject {
     fn half(&self) -> f64;
     /// The degree, if f is a polynomial.
     fn degree(&self) -> Option<u32>;
-    /// A scene for this library.
+    /// This library's solvers that are compiled for it; the default is the first.
+    fn solvers(&self) -> &'static [Solver];
+    /// A scene for this library, with one of them.
     fn scene(&self, solver: Solver) -> Scene;
     /// The least L ≥ |∇f| in the cube that enclosures find.
     fn lipschitz(&self) -> f64;
@@ -104,8 +106,8 @@ fn clip(ray: &Ray, half: f64) -> [f64; 2] {
     [near, far]
 }
 
-/// A surface with its name and its cube.
-pub struct Named<S> {
+/// A surface with its name and its cube, for all of this library's solvers or for the default one.
+pub struct Named<S, const ALL: bool> {
     /// As in the truth.
     pub name: &'static str,
     /// Half the width of its cube.
@@ -114,7 +116,39 @@ pub struct Named<S> {
     pub surface: S,
 }
 
-impl<S: Surface + Clone + 'static> Subject for Named<S> {
+/// Chooses the solvers: what is not chosen is not compiled.
+trait Solve<S> {
+    const SOLVERS: &'static [Solver];
+    fn with(solver: Solver, surface: S) -> Scene;
+}
+
+struct Choice<const ALL: bool>;
+
+impl<S: Surface + 'static> Solve<S> for Choice<false> {
+    const SOLVERS: &'static [Solver] = &[Solver::Auto];
+    fn with(_solver: Solver, surface: S) -> Scene {
+        Scene::new().with_solver::<Auto, S>(surface)
+    }
+}
+
+impl<S: Surface + 'static> Solve<S> for Choice<true> {
+    const SOLVERS: &'static [Solver] = &Solver::ALL;
+    fn with(solver: Solver, surface: S) -> Scene {
+        let scene = Scene::new();
+        match solver {
+            Solver::Auto => scene.with_solver::<Auto, S>(surface),
+            Solver::Bisection => scene.with_solver::<Bisection, S>(surface),
+            Solver::Newton => scene.with_solver::<Newton, S>(surface),
+            Solver::Tightened => scene.with_solver::<Tightened, S>(surface),
+            Solver::Halley => scene.with_solver::<Halley, S>(surface),
+        }
+    }
+}
+
+impl<S: Surface + Clone + 'static, const ALL: bool> Subject for Named<S, ALL>
+where
+    Choice<ALL>: Solve<S>,
+{
     fn name(&self) -> &'static str {
         self.name
     }
@@ -127,16 +161,13 @@ impl<S: Surface + Clone + 'static> Subject for Named<S> {
         S::REPORT.degree
     }
 
+    fn solvers(&self) -> &'static [Solver] {
+        <Choice<ALL> as Solve<S>>::SOLVERS
+    }
+
     fn scene(&self, solver: Solver) -> Scene {
-        let (scene, surface) = (Scene::new(), self.surface.clone());
-        let scene = match solver {
-            Solver::Auto => scene.with_solver::<Auto, S>(surface),
-            Solver::Bisection => scene.with_solver::<Bisection, S>(surface),
-            Solver::Newton => scene.with_solver::<Newton, S>(surface),
-            Solver::Tightened => scene.with_solver::<Tightened, S>(surface),
-            Solver::Halley => scene.with_solver::<Halley, S>(surface),
-        };
-        scene.within([-self.half; 3], [self.half; 3])
+        let half = self.half;
+        Choice::<ALL>::with(solver, self.surface.clone()).within([-half; 3], [half; 3])
     }
 
     fn lipschitz(&self) -> f64 {
@@ -151,8 +182,7 @@ impl<S: Surface + Clone + 'static> Subject for Named<S> {
 
     fn trace(&self, isa: Isa, packets: &[Eight], method: Method, tolerance: f64) -> Traced {
         let prepared = self.surface.prepare();
-        isa.run(Run {
-            surface: &self.surface,
+        isa.run(Run::<S> {
             prepared: &prepared,
             packets,
             method,
@@ -162,20 +192,20 @@ impl<S: Surface + Clone + 'static> Subject for Named<S> {
 }
 
 /// A cell, and a bound in it.
-struct Cell8(f64, [Interval; 3]);
+struct Steep(f64, [Interval; 3]);
 
-impl PartialEq for Cell8 {
+impl PartialEq for Steep {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
-impl Eq for Cell8 {}
-impl PartialOrd for Cell8 {
+impl Eq for Steep {}
+impl PartialOrd for Steep {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
-impl Ord for Cell8 {
+impl Ord for Steep {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.0.total_cmp(&other.0)
     }
@@ -188,10 +218,10 @@ fn least_bound(half: f64, steepest: impl Fn(&[Interval; 3]) -> f64) -> f64 {
         lo: -half,
         hi: half,
     }; 3];
-    let mut cells = BinaryHeap::from([Cell8(steepest(&whole), whole)]);
+    let mut cells = BinaryHeap::from([Steep(steepest(&whole), whole)]);
     let mut reached = 0.0f64;
     for _ in 0..20_000 {
-        let Some(Cell8(bound, cell)) = cells.pop() else {
+        let Some(Steep(bound, cell)) = cells.pop() else {
             break;
         };
         reached = reached.max(steepest(&cell.map(|side| {
@@ -211,14 +241,13 @@ fn least_bound(half: f64, steepest: impl Fn(&[Interval; 3]) -> f64) -> f64 {
         let middle = cell[axis].mid();
         let (mut lower, mut upper) = (cell, cell);
         (lower[axis].hi, upper[axis].lo) = (middle, middle);
-        cells.push(Cell8(steepest(&lower), lower));
-        cells.push(Cell8(steepest(&upper), upper));
+        cells.push(Steep(steepest(&lower), lower));
+        cells.push(Steep(steepest(&upper), upper));
     }
     cells.pop().map_or(reached, |cell| cell.0)
 }
 
 struct Run<'a, S: Surface> {
-    surface: &'a S,
     prepared: &'a S::Prepared,
     packets: &'a [Eight],
     method: Method,
@@ -230,7 +259,6 @@ impl<S: Surface> Kernel for Run<'_, S> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> Traced {
-        let _ = self.surface;
         let active = S::everything(self.prepared);
         let count = Cell::new(0);
         let mut probe = Bound::<S, P> {
