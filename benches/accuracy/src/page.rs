@@ -66,9 +66,9 @@ are the usual methods, one point per tolerance from 1e-2 to 1e-15; an open circl
 
 How it is measured:
 
-- {SIZE}² rays of one perspective camera per surface; processor time of one thread; all methods in turn in one run, the
-  median of {RUNS} runs. This library is charged for making the rays, clipping them, and keeping the picture; the others are
-  not.
+- {SIZE}² rays of one perspective camera per surface, of which the other methods get every fifth packet; processor time of
+  one thread; all methods in turn in one run, the median of {RUNS} runs. This library is charged for making the rays, clipping
+  them, and keeping the picture; the others are not.
 - The truth is known for 256 of the rays, by exact polynomials or 200-bit balls (`tests/accuracy/truth.py`). An error is the
   distance along the ray, as a share of half the width of the cube. A ray is wrong if a root is missed, if one is invented
   (none within ten tolerances and a hundredth), or if it is another one than the first. Rays that this library leaves open, and
