@@ -74,6 +74,7 @@ pub fn statistics(out: &mut impl Write, s: &Statistics) -> Result<()> {
     writeln!(out, "\n{:<12}{:>12}{:>10}", "skipped", "all", "per ray")?;
     for (name, count) in [
         ("empty beams", s.rays - s.made),
+        ("single root", e.single),
         ("outside", s.outside),
         ("closed form", e.closed),
         ("normals", s.rays - e.gradient),

@@ -1,7 +1,8 @@
 //! What generated code names. Nothing here is for users.
 
 pub use crate::interval::{
-    Arithmetic, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Quadratic, Rebind, Undecided,
+    Arithmetic, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Quadratic, Rebind,
+    Undecided,
 };
 pub use crate::language;
 pub use crate::ray::Rays;

@@ -1,6 +1,7 @@
 //! A camera's affine coordinates, in which a beam is a box.
 
-use crate::interval::{Arithmetic, Interval, Scalar};
+use crate::interval::{Arithmetic, Interval, Packet, Scalar};
+use crate::ray::Rays;
 
 /// The coordinates (t, α, β) of space with p = from + t·forward + α·right + β·up. The ray of a pixel at (a, b) on the
 /// picture plane is α = at, β = bt in a perspective view, and α = a, β = b in an orthographic one: the rays of a
@@ -94,7 +95,8 @@ impl Frame {
             unit * (axes[1][k].abs() * a + axes[2][k].abs() * b + main.abs()) + 1e-300
         };
         let greatest = |errors: [f64; 3]| {
-            let sums = inverse.map(|row| (0..3).map(|k| magnitude(row[k]) * errors[k]).sum::<f64>());
+            let sums =
+                inverse.map(|row| (0..3).map(|k| magnitude(row[k]) * errors[k]).sum::<f64>());
             2.0 * sums.into_iter().fold(0.0, f64::max)
         };
         let (tilt, shift) = if view.perspective {
@@ -120,5 +122,28 @@ impl Frame {
         };
         let fine = frame.slack.is_finite() && frame.near.is_finite() && frame.far.is_finite();
         (fine && far >= 0.0).then_some(frame)
+    }
+
+    /// The lines through the point at `near` on the middle ray that [`Assemble`](super::Assemble) asks for.
+    #[inline(always)]
+    pub fn lines<P: Packet>(&self, p: P) -> Rays<P> {
+        const FORWARD: [f64; 8] = [1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0];
+        const RIGHT: [f64; 8] = [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0];
+        const UP: [f64; 8] = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0];
+        let near = p.splat(self.near);
+        let [t, x, y] = [FORWARD, RIGHT, UP].map(|weights| p.lanes(weights));
+        let mut rays = Rays {
+            origin: [p.point(near); 3],
+            direction: [p.point(near); 3],
+            end: p.splat(f64::INFINITY),
+        };
+        for axis in 0..3 {
+            let [forward, right, up] = self.axes.map(|v| p.splat(v[axis]));
+            rays.origin[axis] = p.recentre(near, forward, p.splat(self.from[axis]));
+            // Weights are 0 or 1: the products are exact.
+            let part = |weight: P::F, v: P::F| p.point(p.mul_rn(weight, v));
+            rays.direction[axis] = p.add(p.add(part(t, forward), part(x, right)), part(y, up));
+        }
+        rays
     }
 }

@@ -60,7 +60,10 @@ impl<'a, P: Packet> Group<'a, P> {
         let near = p.splat(self.frame.near);
         Shift {
             p,
-            at: [p.mul_rn(self.middle[0], near), p.mul_rn(self.middle[1], near)],
+            at: [
+                p.mul_rn(self.middle[0], near),
+                p.mul_rn(self.middle[1], near),
+            ],
             turn: self.middle,
         }
     }
@@ -117,7 +120,10 @@ impl<'a, P: Packet> Group<'a, P> {
             let (side, above) = (p.point(right), p.point(up));
             let m = p.add(p.mul(side, p.point(at[0])), p.mul(above, p.point(at[1])));
             let m = p.add(origin, m);
-            let d = p.add(p.mul(side, p.point(turn[0])), p.mul(above, p.point(turn[1])));
+            let d = p.add(
+                p.mul(side, p.point(turn[0])),
+                p.mul(above, p.point(turn[1])),
+            );
             let d = p.add(p.point(forward), d);
             let (side, above) = (p.abs_f(right), p.abs_f(up));
             let r = p.add_ru(p.mul_ru(side, start[0]), p.mul_ru(above, start[1]));

@@ -368,7 +368,10 @@ impl<P: Packet> Parameter<P> for Towards<P::F> {
                 };
                 let (x, y) = (side(a), side(b));
                 let mixed = p.add(p.mul(x, leaf.side[0].c1), p.mul(y, leaf.side[1].c1));
-                let squares = p.add(p.mul(p.sqr(x), leaf.square[0]), p.mul(p.sqr(y), leaf.square[1]));
+                let squares = p.add(
+                    p.mul(p.sqr(x), leaf.square[0]),
+                    p.mul(p.sqr(y), leaf.square[1]),
+                );
                 let rest = p.add(squares, p.mul(p.mul(x, y), leaf.mixed));
                 let t = p.mul(p.sqr(rate), leaf.middle.c2);
                 doubled(p, p.add(p.add(t, p.mul(rate, mixed)), rest))

@@ -11,9 +11,11 @@ mod group;
 mod hint;
 mod leaf;
 mod survey;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use frame::{Frame, View};
-pub(crate) use group::{Group, Grid};
+pub(crate) use group::{Grid, Group};
 pub(crate) use hint::{Hint, Single};
 pub(crate) use leaf::{Assemble, Shift};
 pub use leaf::{Direction, LinearOver, OverBeams, QuadraticOver, Slab, Towards};

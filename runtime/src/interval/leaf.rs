@@ -72,7 +72,10 @@ pub trait Rebind {
     /// For a leaf of degree 1.
     fn linear(&self, leaf: &<Self::From as Leaves>::Linear) -> <Self::To as Leaves>::Linear;
     /// For a leaf of degree 2.
-    fn quadratic(&self, leaf: &<Self::From as Leaves>::Quadratic) -> <Self::To as Leaves>::Quadratic;
+    fn quadratic(
+        &self,
+        leaf: &<Self::From as Leaves>::Quadratic,
+    ) -> <Self::To as Leaves>::Quadratic;
 }
 
 /// Where leaves are evaluated: over a segment of rays ([`Interval`] with `lo ≥ 0`) or at a point of them ([`At`], t ≥ 0),

@@ -269,7 +269,10 @@ impl<'a> Job<'a> {
         let columns = view.picture[0].div_ceil(BLOCK[0]);
         let corner = [number % columns * BLOCK[0], number / columns * BLOCK[1]];
         let place = |k: usize| {
-            let (x, y) = (k as u32 % GRID_OF_TILES.columns, k as u32 / GRID_OF_TILES.columns);
+            let (x, y) = (
+                k as u32 % GRID_OF_TILES.columns,
+                k as u32 / GRID_OF_TILES.columns,
+            );
             [corner[0] + x * TILE[0], corner[1] + y * TILE[1]]
         };
         let mut live = 0u8;

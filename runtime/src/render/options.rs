@@ -7,9 +7,9 @@ use crate::solve::Settings;
 /// How far a render is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// Tiles that are finished.
+    /// Blocks of 64×64 pixels that are finished.
     pub done: usize,
-    /// Tiles in all.
+    /// Blocks in all.
     pub of: usize,
 }
 
@@ -30,7 +30,7 @@ pub struct Options<'a> {
     pub threads: Option<usize>,
     /// The instruction set; nothing means the best one, or what the environment variable `ZEROSET_ISA` names.
     pub isa: Option<Isa>,
-    /// Called after each tile, from any thread: for a progress bar.
+    /// Called after each block, from any thread: for a progress bar.
     pub progress: Option<&'a (dyn Fn(Progress) + Sync)>,
 }
 

@@ -65,6 +65,13 @@ fn answer(rays: &mut PacketRays, lane: usize, events: &[Event]) -> Answer {
         record.shown |= bit;
         record.surface[lane] = surface;
         (record.lo[lane], record.hi[lane]) = (t.lo, t.hi);
+        let overlaps = |v: &Verdict| v.t().is_some_and(|own| own.lo <= t.hi && t.lo <= own.hi);
+        if events
+            .iter()
+            .any(|(v, other)| *other != surface && overlaps(v))
+        {
+            record.tied |= bit;
+        }
     }
     answer
 }

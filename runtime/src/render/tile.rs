@@ -111,7 +111,10 @@ impl Tile {
         let (x, y) = (x % CELL[0], y % CELL[1]);
         let packet = y / PACKET[1] * (CELL[0] / PACKET[0]) + x / PACKET[0];
         let lane = y % PACKET[1] * PACKET[0] + x % PACKET[0];
-        (cell as usize * PACKETS_OF_CELL + packet as usize, lane as usize)
+        (
+            cell as usize * PACKETS_OF_CELL + packet as usize,
+            lane as usize,
+        )
     }
 
     /// A packet's upper left pixel, counted from the tile's.
@@ -169,7 +172,10 @@ impl Tile {
         let all = (0..PACKETS).filter(|k| self.entered >> k & 1 != 0);
         all.map(|k| {
             let [x, y] = Self::offset(k);
-            let inside = within(self.size[0].saturating_sub(x), self.size[1].saturating_sub(y));
+            let inside = within(
+                self.size[0].saturating_sub(x),
+                self.size[1].saturating_sub(y),
+            );
             u64::from(inside.count_ones())
         })
         .sum()

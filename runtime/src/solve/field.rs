@@ -53,6 +53,8 @@ pub struct Evaluations {
     pub spared: u64,
     /// Operands of solids that were searched along a part of a ray only.
     pub shortened: u64,
+    /// Rays whose only root a beam had separated: they are not searched.
+    pub single: u64,
     /// Enclosures over beams, each counted once per packet of eight.
     pub beams: u64,
     /// Evaluations of all other kinds, each counted once per packet of eight.
@@ -60,7 +62,7 @@ pub struct Evaluations {
 }
 
 impl Evaluations {
-    /// All kinds of evaluations together; closed forms are none.
+    /// All kinds of evaluations together; closed forms and what beams settle are none.
     pub fn total(&self) -> u64 {
         self.value
             + self.slope
@@ -82,6 +84,7 @@ impl Evaluations {
         self.closed += other.closed;
         self.spared += other.spared;
         self.shortened += other.shortened;
+        self.single += other.single;
         self.beams += other.beams;
         self.packets += other.packets;
     }

@@ -8,7 +8,6 @@ use crate::beam::{
     Assemble, Bundle, Frame, Hint, OverBeams, Request, Scout, Shift, Slab, Space, Towards,
 };
 use crate::interval::{Kernel, Packet, Routine};
-use crate::ray::Rays;
 use crate::solve::Enclosed;
 use crate::surface::Surface;
 
@@ -37,36 +36,13 @@ impl<S: Surface> Kernel for AssembleLeaves<'_, S> {
         let mut along = S::unbound::<P>(p);
         p.call(Bind::<S, P> {
             prepared: self.prepared,
-            rays: &lines(p, self.frame),
+            rays: &self.frame.lines(p),
             active: &active,
             bound: &mut along,
         });
         let mut over = S::unbound::<OverBeams<P>>(p);
         S::rebind(&Assemble(p), &along, &active, &mut over).then(|| Box::new(over) as Leaves)
     }
-}
-
-/// The lines through the frame's origin, which is `near` in front of the camera, that [`Assemble`] asks for.
-#[inline(always)]
-fn lines<P: Packet>(p: P, frame: &Frame) -> Rays<P> {
-    const FORWARD: [f64; 8] = [1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0];
-    const RIGHT: [f64; 8] = [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0];
-    const UP: [f64; 8] = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0];
-    let near = p.splat(frame.near);
-    let [t, x, y] = [FORWARD, RIGHT, UP].map(|weights| p.lanes(weights));
-    let mut rays = Rays {
-        origin: [p.point(near); 3],
-        direction: [p.point(near); 3],
-        end: p.splat(f64::INFINITY),
-    };
-    for axis in 0..3 {
-        let [forward, right, up] = frame.axes.map(|v| p.splat(v[axis]));
-        rays.origin[axis] = p.recentre(near, forward, p.splat(frame.from[axis]));
-        // Weights are 0 or 1: the products are exact.
-        let part = |weight: P::F, v: P::F| p.point(p.mul_rn(weight, v));
-        rays.direction[axis] = p.add(p.add(part(t, forward), part(x, right)), part(y, up));
-    }
-    rays
 }
 
 /// A surface bound to eight beams.

@@ -19,7 +19,8 @@ pub(crate) use trails::{Mark, Trails, TrailsOfTile};
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};
 use crate::solve::{
-    Brackets, Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form, select,
+    Brackets, Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form,
+    select,
 };
 use crate::surface::{Active, Surface};
 use entries::Entries;

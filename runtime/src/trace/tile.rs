@@ -103,6 +103,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             .single
             .map(|single| brackets(p, &single, entry, &over, live));
         let single = known.as_ref().map_or(p.none(), |known| known.found);
+        self.tile.counts.single += u64::from(p.bits(single).count_ones());
         let mut surface = OnRays {
             entries: Entries::<S, P> {
                 prepared: self.prepared,

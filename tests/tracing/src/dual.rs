@@ -1,6 +1,8 @@
 //! Forward differentiation over any number system: plain, and looser than what the compiler emits.
 
-use zeroset::interval::{Arithmetic, Flags, Interval, Jet, Leaves, Linear, Packet, Parameter, Rebind};
+use zeroset::interval::{
+    Arithmetic, Flags, Interval, Jet, Leaves, Linear, Packet, Parameter, Rebind,
+};
 use zeroset::ray::Rays;
 use zeroset::surface::{Active, Continuity, ParameterError, Report, Surface};
 

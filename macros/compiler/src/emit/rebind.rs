@@ -43,7 +43,10 @@ fn rows(compiled: &Compiled, k: usize) -> TokenStream {
     for (depth, fold) in folds.into_iter().enumerate().rev() {
         // The outermost `Vec` keeps its room from beam to beam.
         let (start, end) = if depth == 0 {
-            (quote!(let old = &#from; let new = &mut #to; new.clear();), quote!())
+            (
+                quote!(let old = &#from; let new = &mut #to; new.clear();),
+                quote!(),
+            )
         } else {
             (quote!(let mut new = __zeroset::Vec::new();), quote!(new))
         };
