@@ -46,11 +46,26 @@ pub fn read(text: &str) -> Option<Vec<Row>> {
 
 fn row(line: &str) -> Option<Row> {
     let fields: Vec<&str> = line.split(',').collect();
-    let [surface, method, tuning, setting, isa, tolerance, ns, evaluations, largest, median, counts @ ..] = &fields[..]
+    let [
+        surface,
+        method,
+        tuning,
+        setting,
+        isa,
+        tolerance,
+        ns,
+        evaluations,
+        largest,
+        median,
+        counts @ ..,
+    ] = &fields[..]
     else {
         return None;
     };
-    let counts: Vec<u32> = counts.iter().map(|n| n.parse().ok()).collect::<Option<_>>()?;
+    let counts: Vec<u32> = counts
+        .iter()
+        .map(|n| n.parse().ok())
+        .collect::<Option<_>>()?;
     let [rays, right, missed, invented, wrong_sheet, open] = counts[..] else {
         return None;
     };

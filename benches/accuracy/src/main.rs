@@ -21,7 +21,9 @@ use zeroset_accuracy::truth;
 
 /// A file of the repository.
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(name)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -149,7 +149,9 @@ fn verdict(page: &mut String, rows: &[Row]) -> std::fmt::Result {
 fn solvers(page: &mut String, rows: &[Row]) -> std::fmt::Result {
     // The first surface has all of them.
     let first = rows.iter().take_while(|row| row.is_ours());
-    let names: Vec<String> = first.map(|row| format!("{}, {}", row.method, row.isa)).collect();
+    let names: Vec<String> = first
+        .map(|row| format!("{}, {}", row.method, row.isa))
+        .collect();
     writeln!(
         page,
         "## Solvers of this library\n\nNanoseconds per ray, and for the default its largest and median error, evaluations per ray, and open rays of 256.\n"
@@ -163,9 +165,11 @@ fn solvers(page: &mut String, rows: &[Row]) -> std::fmt::Result {
     for surface in Surface::all(rows) {
         let auto = surface.auto();
         let time = |name: &String| {
-            let named = |row: &&Row| row.is_ours() && format!("{}, {}", row.method, row.isa) == *name;
+            let named =
+                |row: &&Row| row.is_ours() && format!("{}, {}", row.method, row.isa) == *name;
             let row = surface.rows.iter().find(named);
-            row.map(|row| format!("{:.0}", row.nanoseconds)).unwrap_or_default()
+            row.map(|row| format!("{:.0}", row.nanoseconds))
+                .unwrap_or_default()
         };
         let times: Vec<String> = names.iter().map(time).collect();
         writeln!(

@@ -31,7 +31,10 @@ fn certified(subject: &dyn Subject, largest: f64, open: u32) {
             );
             assert_eq!(score.wrong(), 0, "{name}: {score:?}");
             assert!(score.largest() <= largest, "{name}: {:e}", score.largest());
-            assert!(solver == Solver::Bisection || score.open <= open, "{name}: {score:?}");
+            assert!(
+                solver == Solver::Bisection || score.open <= open,
+                "{name}: {score:?}"
+            );
             assert!(score.rays > 250, "{name}");
         }
     }
@@ -44,8 +47,16 @@ fn usual(subject: &dyn Subject, careful: Method, careless: Method) {
     let isa = Isa::available()[0];
     for tolerance in [1e-4, 1e-10] {
         let (score, _) = trial.theirs(careful, tolerance, isa);
-        println!("{} {careful} {tolerance:e}: {} wrong, largest {:.1e}", subject.name(), score.wrong(), score.largest());
-        assert!(score.wrong() <= 3 && score.largest() < 30.0 * tolerance, "{careful}: {score:?}");
+        println!(
+            "{} {careful} {tolerance:e}: {} wrong, largest {:.1e}",
+            subject.name(),
+            score.wrong(),
+            score.largest()
+        );
+        assert!(
+            score.wrong() <= 3 && score.largest() < 30.0 * tolerance,
+            "{careful}: {score:?}"
+        );
         assert!(score.errors.len() > 20, "{careful}: {score:?}");
     }
     let (score, _) = trial.theirs(careless, 1e-6, isa);
@@ -53,17 +64,29 @@ fn usual(subject: &dyn Subject, careful: Method, careless: Method) {
 }
 
 fn sphere() -> impl Subject {
-    Named::<_, true> { name: "sphere", half: 1.0, surface: s::Sphere }
+    Named::<_, true> {
+        name: "sphere",
+        half: 1.0,
+        surface: s::Sphere,
+    }
 }
 
 fn barth() -> impl Subject {
     let surface = s::BarthSextic::default();
-    Named::<_, false> { name: "barth_sextic", half: 2.0, surface }
+    Named::<_, false> {
+        name: "barth_sextic",
+        half: 2.0,
+        surface,
+    }
 }
 
 fn gyroid() -> impl Subject {
     let half = std::f64::consts::TAU;
-    Named::<_, true> { name: "gyroid", half, surface: s::Gyroid }
+    Named::<_, true> {
+        name: "gyroid",
+        half,
+        surface: s::Gyroid,
+    }
 }
 
 #[test]
@@ -85,11 +108,18 @@ fn the_usual_methods_are_what_they_are() {
 
 #[test]
 fn wrong_claims_are_counted() {
-    let known = Known { roots: vec![[1.0, 1e-20], [1.5, 0.0]], undecided: false };
+    let known = Known {
+        roots: vec![[1.0, 1e-20], [1.5, 0.0]],
+        undecided: false,
+    };
     let none = Known::default();
-    let unknown = Known { undecided: true, ..Known::default() };
+    let unknown = Known {
+        undecided: true,
+        ..Known::default()
+    };
     let mut score = Score::default();
-    let mut add = |known: &Known, claim: Claim| score.add(known, &Claimed { entry: 0.5, claim }, 2.0, 1e-6);
+    let mut add =
+        |known: &Known, claim: Claim| score.add(known, &Claimed { entry: 0.5, claim }, 2.0, 1e-6);
     add(&known, Claim::Root(0.5));
     add(&known, Claim::Root(0.5 + 1e-4));
     add(&known, Claim::Root(1.0));
@@ -103,5 +133,8 @@ fn wrong_claims_are_counted() {
     assert_eq!((score.rays, score.open), (8, 1));
     assert_eq!((score.missed, score.invented, score.wrong_sheet), (1, 2, 1));
     assert_eq!(score.errors.len(), 2);
-    assert!(score.errors[0] < 1e-19 && (score.largest() - 5e-5).abs() < 1e-12, "{score:?}");
+    assert!(
+        score.errors[0] < 1e-19 && (score.largest() - 5e-5).abs() < 1e-12,
+        "{score:?}"
+    );
 }
