@@ -40,14 +40,18 @@ fn main() -> Result<(), Box<dyn Error>> {
             pictures(&csv::read(&text).ok_or("not a table of this program")?)
         }
         ["only", name] => {
-            print!("{}", csv::table(&rows(|one| one == name)?));
+            print!("{}", csv::table(&rows(|one| one == name, |_| Ok(()))?));
             Ok(())
         }
         _ => Err("usage: accuracy, accuracy only NAME, accuracy page, or accuracy rays".into()),
     }
 }
 
-fn rows(chosen: impl Fn(&str) -> bool) -> Result<Vec<Row>, Box<dyn Error>> {
+/// Measures the chosen surfaces; `keep` sees what there is after each.
+fn rows(
+    chosen: impl Fn(&str) -> bool,
+    keep: impl Fn(&[Row]) -> std::io::Result<()>,
+) -> Result<Vec<Row>, Box<dyn Error>> {
     let known = truth::read(&std::fs::read_to_string(file("tests/accuracy/truth.txt"))?);
     for name in ["avx512", "avx2"] {
         if let Err(why) = Isa::named(name) {
@@ -62,6 +66,7 @@ fn rows(chosen: impl Fn(&str) -> bool) -> Result<Vec<Row>, Box<dyn Error>> {
                 .get(name)
                 .ok_or_else(|| format!("no truth for {name}"))?;
             rows.extend(measure::measure(&*subject, known));
+            keep(&rows)?;
             eprintln!("{name}");
         }
     }
@@ -74,8 +79,7 @@ fn rows(chosen: impl Fn(&str) -> bool) -> Result<Vec<Row>, Box<dyn Error>> {
 const CSV: &str = "benches/accuracy/accuracy.csv";
 
 fn everything() -> Result<(), Box<dyn Error>> {
-    let rows = rows(|_| true)?;
-    std::fs::write(file(CSV), csv::table(&rows))?;
+    let rows = rows(|_| true, |rows| std::fs::write(file(CSV), csv::table(rows)))?;
     pictures(&rows)
 }
 

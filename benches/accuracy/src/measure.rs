@@ -154,12 +154,15 @@ fn tuned(
     isa: Isa,
 ) -> Vec<(Tuning, Method, Score, f64)> {
     let mut tried: Vec<(Method, Score, f64)> = Vec::new();
+    let (mut least, mut stalled) = (u32::MAX, 0);
     for &method in settings {
         let (score, evaluations) = trial.theirs(method, tolerance, isa);
-        // Larger settings take longer, and can be no better than this.
-        let right = score.wrong() == 0;
+        let wrong = score.wrong();
         tried.push((method, score, evaluations));
-        if right {
+        stalled = if wrong < least { 0 } else { stalled + 1 };
+        least = least.min(wrong);
+        // Larger settings take longer, and are not expected to be better.
+        if wrong == 0 || stalled == 3 {
             break;
         }
     }
