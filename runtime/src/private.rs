@@ -85,30 +85,29 @@ pub fn enough_rows(
     }
 }
 
+/// Leaves of degree 1.
+pub type Linears<L, const M: usize> = [<L as Leaves>::Linear; M];
+
+/// Leaves of degree 2.
+pub type Quadratics<L, const N: usize> = [<L as Leaves>::Quadratic; N];
+
 /// Maps the leaves of one scope.
 #[inline(always)]
 pub fn rebind_leaves<R: Rebind, const M: usize, const N: usize>(
     map: &R,
-    from: (
-        &[<R::From as Leaves>::Linear; M],
-        &[<R::From as Leaves>::Quadratic; N],
-    ),
-    to: (
-        &mut [<R::To as Leaves>::Linear; M],
-        &mut [<R::To as Leaves>::Quadratic; N],
-    ),
+    (linear, quadratic): (&Linears<R::From, M>, &Quadratics<R::From, N>),
+    to: (&mut Linears<R::To, M>, &mut Quadratics<R::To, N>),
 ) {
-    for k in 0..M {
-        to.0[k] = map.linear(&from.0[k]);
+    for (to, leaf) in to.0.iter_mut().zip(linear) {
+        *to = map.linear(leaf);
     }
-    for k in 0..N {
-        to.1[k] = map.quadratic(&from.1[k]);
+    for (to, leaf) in to.1.iter_mut().zip(quadratic) {
+        *to = map.quadratic(leaf);
     }
 }
 
 /// The leaves of a row.
-pub type Row<L, const M: usize, const N: usize> =
-    ([<L as Leaves>::Linear; M], [<L as Leaves>::Quadratic; N]);
+pub type Row<L, const M: usize, const N: usize> = (Linears<L, M>, Quadratics<L, N>);
 
 /// Maps the leaves of one row.
 #[inline(always)]

@@ -168,19 +168,19 @@ impl<P: Packet> Rebind for Shift<P> {
         let p = self.p;
         let half = p.splat(0.5);
         let mut side = leaf.side;
-        for k in 0..2 {
+        for (k, slope) in side.iter_mut().enumerate() {
             let twice = doubled(p, leaf.square[k]);
             let other = 1 - k;
-            side[k].c0 = plus(p, side[k].c0, self.at[k], twice);
-            side[k].c0 = plus(p, side[k].c0, self.at[other], leaf.mixed);
-            side[k].c1 = plus(p, side[k].c1, self.turn[k], twice);
-            side[k].c1 = plus(p, side[k].c1, self.turn[other], leaf.mixed);
+            slope.c0 = plus(p, slope.c0, self.at[k], twice);
+            slope.c0 = plus(p, slope.c0, self.at[other], leaf.mixed);
+            slope.c1 = plus(p, slope.c1, self.turn[k], twice);
+            slope.c1 = plus(p, slope.c1, self.turn[other], leaf.mixed);
         }
         let (mut c0, mut c1, mut c2) = (leaf.middle.c0, leaf.middle.c1, leaf.middle.c2);
-        for k in 0..2 {
+        for (k, (old, new)) in leaf.side.iter().zip(&side).enumerate() {
             // The mean slope towards the side is g₀ + g₁t with these coefficients; times a + bt it is the change.
-            let g0 = times(p, half, p.add(leaf.side[k].c0, side[k].c0));
-            let g1 = times(p, half, p.add(leaf.side[k].c1, side[k].c1));
+            let g0 = times(p, half, p.add(old.c0, new.c0));
+            let g1 = times(p, half, p.add(old.c1, new.c1));
             c0 = plus(p, c0, self.at[k], g0);
             c1 = plus(p, plus(p, c1, self.turn[k], g0), self.at[k], g1);
             c2 = plus(p, c2, self.turn[k], g1);

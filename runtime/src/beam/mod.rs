@@ -1,6 +1,6 @@
 //! Beams: all rays of a rectangle of pixels at once, enclosed by the code that the macro generated for single rays.
 //!
-//! In the affine coordinates (t, x, y) of a [`Frame`] a beam's piece is a box, and a leaf of degree ≤ 2 a quadratic
+//! In the camera's affine coordinates (t, x, y) a beam's piece is a box, and a leaf of degree ≤ 2 a quadratic
 //! polynomial of ten coefficients ([`OverBeams`]). They are computed once per picture, and moved to the middle of each beam.
 //! Then f over a piece of a beam is what generated code makes of the leaves' ranges there ([`Slab`]), and its derivatives
 //! by x, by y or along the rays are what it makes of the leaves' derivatives ([`Towards`]). With these f is also

@@ -152,7 +152,7 @@ fn scenes() -> [Scene; 4] {
     };
     [
         Scene::new().with(ball(1.0)),
-        Scene::new().with(inner.clone()),
+        Scene::new().with(inner),
         Scene::new().with(Blobs::some(3)),
         Scene::new().with(inner).with(Blobs::some(2)),
     ]
