@@ -14,7 +14,8 @@ pub struct Pixel {
     pub answer: Answer,
     /// The index of the surface that it shows; of a solid, the operand.
     pub surface: Option<usize>,
-    /// The unit normal there, towards the viewer (thus out of a solid, unless the ray comes from inside), in plain floats; nothing where the gradient is 0 or was not asked for.
+    /// The unit normal there, towards the viewer (thus out of a solid, unless the ray comes from inside), in plain floats;
+    /// nothing where the gradient is 0 or was not asked for.
     pub normal: Option<[f32; 3]>,
     /// The root shown overlaps what is or may be one of another surface or operand: which comes first is open.
     pub tied: bool,

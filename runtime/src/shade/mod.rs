@@ -76,7 +76,8 @@ impl Rendering {
     }
 
     /// A colour per verdict, each pixel's first: miss white, root green, tangent blue, crossing orange; unresolved red
-    /// (floor), brown (order), black (budget), purple (undefined), grey (flat). Where the order of two surfaces is open: yellow.
+    /// (floor), brown (order), black (budget), purple (undefined), grey (flat). Where the order of two surfaces is open:
+    /// yellow.
     pub fn verdict_image(&self) -> RgbImage {
         RgbImage::from_fn(self.width(), self.height(), |x, y| {
             let pixel = self.pixel(x, y);
