@@ -73,7 +73,7 @@ How it is measured:
 - The truth is known for 256 of the rays, by exact polynomials or 200-bit balls (`tests/accuracy/truth.py`). An error is the
   distance along the ray, as a share of half the width of the cube. A ray is wrong if a root is missed, if one is invented
   (none within ten tolerances and a hundredth), or if it is another one than the first. Rays that this library leaves open, and
-  says so, are counted apart.
+  says so, are counted apart; so are changes of sign without a proof that there is one root only, as bisection finds them.
 - The others are packets of eight rays in plain `f64`, on the same compiled formula with the same reduction of quadratic
   parts, on the best instruction set. For each tolerance a setting is chosen twice: for the fewest wrong rays, and for the
   fewest evaluations with at most one ray in a hundred wrong. Settings are tried in ascending order, until no ray is wrong or
