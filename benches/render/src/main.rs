@@ -135,8 +135,8 @@ fn measure<S: Surface + Clone + 'static>(only: &str, name: &str, surface: &S, ca
             let e = &s.evaluations;
             let per = |n: u64| n as f64 / rays;
             format!(
-                "beams {:.3} value {:.2} slope {:.2} point {:.2} float {:.2} curvature {:.2} per ray; roots {} misses {} other {}",
-                per(e.beams), per(e.value), per(e.slope), per(e.point), per(e.float), per(e.curvature),
+                "beams {:.3} value {:.2} slope {:.2} point {:.2} float {:.2} curvature {:.2} fine {:.3} per ray; roots {} misses {} other {}",
+                per(e.beams), per(e.value), per(e.slope), per(e.point), per(e.float), per(e.curvature), per(e.fine),
                 s.root, s.miss, s.rays - s.root - s.miss
             )
         });

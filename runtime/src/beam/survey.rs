@@ -186,7 +186,7 @@ impl<P: Packet> Surveyor<'_, P> {
         self.surface.slope(self.p, &towards)
     }
 
-    /// From the front: what is excluded is passed with steps that grow, what is not is tried again at half the length,
+    /// From the front: what is excluded is passed with steps that grow, what is not is tried again at a quarter of the length,
     /// down to the width of the beam.
     #[inline(always)]
     fn march(&mut self) -> Found<P> {
@@ -217,11 +217,11 @@ impl<P: Packet> Surveyor<'_, P> {
             front = p.select(none, t.hi, front);
             live = p.and_not(live, p.and(none, p.le(self.end, front)));
             let failed = p.and_not(live, none);
-            let half = p.mul_rn(length, p.splat(0.5));
-            let stuck = p.and(failed, p.lt(half, shortest));
+            let part = p.mul_rn(length, p.splat(0.25));
+            let stuck = p.and(failed, p.lt(part, shortest));
             open = p.or(open, stuck);
             live = p.and_not(live, stuck);
-            let longer = p.select(none, p.add_rn(length, length), half);
+            let longer = p.select(none, p.add_rn(length, length), part);
             length = p.select(live, longer, length);
             round += 1;
             if round == 200 {

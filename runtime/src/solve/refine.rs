@@ -1,6 +1,6 @@
 //! From a bracket with exactly one root to a tiny interval: converge in plain floats, certify once.
 
-use super::{Brackets, Field, nonzero, select};
+use super::{Brackets, Field, WIDE, nonzero, select};
 use crate::contract::middle;
 use crate::interval::{Interval, Packet, Routine};
 
@@ -44,15 +44,18 @@ fn refine<P: Packet>(
     let found = brackets.found;
     let goal = goal(p, &root);
     let mut x = middle(p, &root);
+    let mut slope = p.splat(f64::INFINITY);
     if plain_convergence {
-        x = converge(field, brackets, x);
+        (x, slope) = converge(field, brackets, x);
     }
     let steep = p.and(found, nonzero(p, &brackets.slope));
+    let mut enough = goal;
     if p.any(steep) {
-        let fx = field.point(x, steep);
-        narrow(p, x, &fx.d[0], &brackets.slope, steep, &mut root);
+        let fx = field.point(x, steep).d[0];
+        narrow(p, x, &fx, &brackets.slope, steep, &mut root);
+        enough = p.max_f(goal, attainable(p, &fx, slope));
     }
-    let wide = p.and(found, p.lt(goal, width(p, &root)));
+    let wide = p.and(found, p.lt(enough, width(p, &root)));
     if p.any(wide) {
         let job = Narrow {
             field,
@@ -67,20 +70,32 @@ fn refine<P: Packet>(
     root
 }
 
-/// Plain Newton from `x`, kept inside the bracket by the signs that it sees. Nothing that it does can be wrong: its
-/// result is only a place to look.
+/// What no sign can better by more than a factor of four: f is certain only where it leaves its noise at the root, which
+/// is how wide `fx` is.
 #[inline(always)]
-fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F) -> P::F {
+fn attainable<P: Packet>(p: P, fx: &Interval<P::F>, slope: P::F) -> P::F {
+    let four = p.splat(4.0);
+    let noise = p.div_rn(p.mul_rn(four, p.sub_rn(fx.hi, fx.lo)), p.abs_f(slope));
+    // Not a number where nothing is known. What is wider gets a second look, which costs more than an image.
+    p.select(p.lt(noise, p.splat(WIDE)), noise, p.splat(0.0))
+}
+
+/// Plain Newton from `x`, kept inside the bracket by the signs that it sees; the result is a place and the derivative
+/// there. Nothing that it does can be wrong: it is only where to look.
+#[inline(always)]
+fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F) -> (P::F, P::F) {
     let p = field.p;
     let zero = p.splat(0.0);
     let Interval { mut lo, mut hi } = brackets.t;
     // A step this short is squared by the next one, which has been made by then.
     let close = p.mul_rn(hi, p.splat(1.0 / (1u64 << 28) as f64));
     let mut x = x;
+    let mut slope = zero;
     let mut open = brackets.found;
     let mut round = 0;
     while round < 60 {
         let [f, d] = field.float(x, open);
+        slope = p.select(open, d, slope);
         let f = p.select(brackets.rising, f, p.neg_f(f));
         let d = p.select(brackets.rising, d, p.neg_f(d));
         lo = p.select(p.lt(f, zero), p.max_f(x, lo), lo);
@@ -97,7 +112,7 @@ fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F
         }
         round += 1;
     }
-    x
+    (x, slope)
 }
 
 /// The Newton image of the bracket: root ← root ∩ (x − f(x)/f'). It cannot be empty; an end that is not a number is not
@@ -175,7 +190,9 @@ fn by_images<P: Packet>(
         let fx = field.point(x, steep);
         narrow(p, x, &fx.d[0], &f.d[1], steep, root);
         let after = width(p, root);
-        wide = p.and_not(wide, p.le(after, goal));
+        let slope = p.min_f(p.abs_f(f.d[1].lo), p.abs_f(f.d[1].hi));
+        let enough = p.max_f(goal, attainable(p, &fx.d[0], slope));
+        wide = p.and_not(wide, p.le(after, p.select(steep, enough, goal)));
         let halved = p.le(after, p.mul_rn(before, p.splat(0.5)));
         moving = p.and(p.and(moving, wide), halved);
         round += 1;

@@ -93,6 +93,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
         let mut live = self.live;
         let mut closed = None;
         if self.settings.closed_forms
+            && p.any(live)
             && let Some(leaf) = S::quadric(self.surface.entries.bound)
         {
             let first = closed_form(p, leaf, live).first_in(p, leaf, self.over);
