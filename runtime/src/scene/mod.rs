@@ -96,12 +96,12 @@ impl Scene {
     /// The index of the first label of each object.
     pub(crate) fn first_labels(&self) -> Vec<u16> {
         let mut next = 0;
-        let first = |surface: &Box<dyn Trace>| {
-            let first = next;
+        let mut first = Vec::with_capacity(self.surfaces.len());
+        for surface in &self.surfaces {
+            first.push(next);
             next += surface.labels().len() as u16;
-            first
-        };
-        self.surfaces.iter().map(first).collect()
+        }
+        first
     }
 
     /// Checks all parameters, and finds each surface's box.

@@ -35,8 +35,8 @@ impl Solid {
         let prepared = self.ready();
         let mut cells: Vec<Cell> = vec![[0; 3]];
         let mut whole = Interval::ONE;
-        for axis in 0..3 {
-            let [lo, hi] = [within[0][axis], within[1][axis]].map(Interval::point);
+        for (&lo, &hi) in within[0].iter().zip(&within[1]) {
+            let [lo, hi] = [lo, hi].map(Interval::point);
             whole = Scalar.mul(whole, Scalar.sub(hi, lo));
         }
         let share = |count: usize, level: u32| {

@@ -264,11 +264,11 @@ impl<P: Packet> Sides<'_, P> {
                 continue;
             }
             pieces.clear();
-            for number in 0..=list.len() {
+            for (number, sides) in sides.iter().enumerate().take(list.len() + 1) {
                 match gap(over, list, number) {
                     Some(gap) if self.patchy => self.cut(lane, gap, DEPTH, &mut pieces),
-                    Some(gap) if sides[number][lane] != Side::Unknown => {
-                        pieces.push(Piece::Gap(gap, sides[number][lane]));
+                    Some(gap) if sides[lane] != Side::Unknown => {
+                        pieces.push(Piece::Gap(gap, sides[lane]));
                     }
                     _ => {}
                 }
