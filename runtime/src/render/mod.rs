@@ -10,7 +10,7 @@ pub(crate) mod tile;
 
 pub use options::{Options, Progress};
 pub use rendering::{Pixel, Rendering};
-pub use statistics::{Phases, Statistics};
+pub use statistics::{Area, Phases, Statistics};
 
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::time::Instant;
@@ -21,7 +21,8 @@ use crate::beam::{Frame, Hint, Request, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
 use crate::scene::{Label, Prepared, Scene, SceneError, TileJob, hull};
-use crate::trace::{Leaves, Trail, WithBeams};
+pub use crate::trace::Trail;
+use crate::trace::{Leaves, WithBeams};
 use crate::verdict::{Answer, Verdict};
 use settle::settle;
 use shard::Shard;
@@ -84,6 +85,15 @@ pub fn all_roots(
     ray: &Ray,
     options: &Options,
 ) -> Result<Vec<(f64, Vec<Verdict>)>, RenderError> {
+    let trails = trails(scene, ray, options)?.into_iter();
+    Ok(trails.map(|trail| (trail.entry, trail.events)).collect())
+}
+
+/// As [`all_roots`], with all that is known of each search.
+///
+/// # Errors
+/// As [`all_roots`].
+pub fn trails(scene: &Scene, ray: &Ray, options: &Options) -> Result<Vec<Trail>, RenderError> {
     check_ray(ray)?;
     let boxes = scene.boxes()?;
     let isa = match options.isa {
@@ -93,10 +103,9 @@ pub fn all_roots(
     let surfaces = scene.surfaces.iter().zip(&boxes);
     Ok(surfaces
         .map(|(surface, domain)| {
-            let trail = surface
+            surface
                 .prepare()
-                .along(isa, &options.settings, domain, ray, false);
-            (trail.entry, trail.events)
+                .along(isa, &options.settings, domain, ray, false)
         })
         .collect())
 }
@@ -290,7 +299,7 @@ impl<'a> Job<'a> {
                 };
                 let request = Request {
                     space: beams.space,
-                    corner: view.plane(corner),
+                    corner: view.begin(corner, &GRID_OF_TILES),
                     grid: &GRID_OF_TILES,
                     live,
                     known: &Hint::OPEN,
@@ -301,11 +310,11 @@ impl<'a> Job<'a> {
         shard.statistics.phases.beams += clock.elapsed();
         shard.statistics.rays += within(view.picture, corner);
         for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
-            if let Some(domain) = self.domain
-                && hints.iter().any(|tiles| tiles[k].open)
-            {
-                tile.begin(view, place(k), domain);
+            tile.begin(view, place(k), self.domain.unwrap_or_default());
+            if hints.iter().any(|tiles| tiles[k].open) {
                 self.tile(surfaces, &hints, k, tile, number, shard);
+            } else {
+                shard.statistics.area.add(&tile.area());
             }
         }
     }
@@ -324,6 +333,9 @@ impl<'a> Job<'a> {
         let clock = Instant::now();
         for ((job, surface), hints) in surfaces.iter().zip(&self.prepared).zip(hints) {
             if hints[k].open {
+                if job.beams.is_none() {
+                    tile.missed = 0;
+                }
                 surface.trace(job, hints[k], tile);
             }
         }

@@ -208,6 +208,8 @@ impl Prepared for PreparedSolid<'_> {
             view: job.view,
             tile,
         });
+        // Nothing is known about rays beside those that sample.
+        tile.missed = 0;
         self.faces(
             job.isa,
             job.settings,

@@ -102,13 +102,15 @@ impl<S: Surface> Kernel for Survey<'_, S> {
         let entries = Entries::<S, P> {
             prepared: self.prepared,
             bound: &bound,
+            rays: &rays,
         };
         let pieces = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| eighth(self.beam.end, k));
         let t = Interval {
             lo: p.lanes(pieces.map(|piece| piece.lo)),
             hi: p.lanes(pieces.map(|piece| piece.hi)),
         };
-        let mut field = Field::new(p, &entries as &dyn Along<P>, self.counts);
+        let mut spent = p.splat(0.0);
+        let mut field = Field::new(p, &entries as &dyn Along<P>, self.counts, &mut spent);
         // One evaluation for all rays of the tile.
         let f = field.value(&t, p.mask(1));
         sides(p, &f)

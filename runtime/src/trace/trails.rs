@@ -145,8 +145,10 @@ impl<S: Surface> Kernel for TrailsOfTile<'_, S> {
                     entries: Entries::<S, P> {
                         prepared: self.prepared,
                         bound: &bound,
+                        rays: &rays,
                     },
                     counts: &mut *self.counts,
+                    spent: p.splat(0.0),
                 };
                 all_events(
                     p,
@@ -157,9 +159,13 @@ impl<S: Surface> Kernel for TrailsOfTile<'_, S> {
                     live,
                     &mut lists,
                 );
-                let OnRays { entries, counts } = surface;
+                let OnRays {
+                    entries,
+                    counts,
+                    mut spent,
+                } = surface;
                 let mut sides = Sides {
-                    field: Field::new(p, &entries, counts),
+                    field: Field::new(p, &entries, counts, &mut spent),
                     // Elsewhere a certain sign at one place does for a gap without a root.
                     patchy: !S::REPORT.total || S::REPORT.continuity == Continuity::Jumps,
                 };
@@ -201,6 +207,7 @@ fn all_events<S: Surface, P: Packet>(
             first: over.hi,
             known: None,
             first_only: false,
+            twice: settings.narrowing.twice(true),
             events: &mut events,
             cuts: None,
             solver,
@@ -223,7 +230,32 @@ fn all_events<S: Surface, P: Packet>(
         events.clear();
         let more = p.and(p.and(roots.hit, live), p.lt(roots.resume, over.hi));
         over.lo = p.select(more, roots.resume, over.lo);
-        live = more;
+        // What is kept back finishes one search, not the next.
+        let tired = p.and(more, p.lt(p.splat(settings.limit()), surface.spent));
+        if p.any(tired) {
+            give_up(
+                p.bits(tired),
+                p.to_array(over.lo),
+                p.to_array(over.hi),
+                lists,
+            );
+        }
+        live = p.and_not(more, tired);
+    }
+}
+
+/// The rest of the rays of `tired` is open.
+#[cold]
+fn give_up(tired: u8, lo: [f64; 8], hi: [f64; 8], lists: &mut [Vec<Verdict>; 8]) {
+    for (lane, list) in lists.iter_mut().enumerate() {
+        if tired >> lane & 1 != 0 {
+            let t = Interval {
+                lo: lo[lane],
+                hi: hi[lane],
+            };
+            let why = Why::Budget;
+            Verdict::Unresolved { t, why }.append(list);
+        }
     }
 }
 
