@@ -30,6 +30,7 @@
 //! - [`implicit!`] and [`Surface`]: formulas. [How to write them](guide::writing_formulas), and
 //!   [what the errors say](guide::reading_the_errors). [How they are differentiated](guide::how_differentiation_works).
 //!   [What is proved](guide::what_is_proved), and what would notice.
+//! - [`solid`]: intersections, unions and differences of surfaces.
 //! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
 //!   [`enclosure`]: forms that enclose f over a piece of a ray.
@@ -53,6 +54,7 @@ pub mod ray;
 pub mod render;
 pub mod scene;
 pub mod shade;
+pub mod solid;
 pub mod solve;
 pub mod surface;
 mod trace;
@@ -63,6 +65,7 @@ pub use glam;
 pub use render::{Options, Rendering, render};
 pub use scene::Scene;
 pub use shade::Shading;
+pub use solid::{Operand, Solid};
 pub use surface::Surface;
 
 /// Compiles an implicit surface f(x, y, z) = 0 from its formula.

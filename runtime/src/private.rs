@@ -6,8 +6,10 @@ pub use crate::interval::{
 };
 pub use crate::language;
 pub use crate::ray::Rays;
+pub use crate::solid::{Operand, Solid};
 pub use crate::surface::{Active, Continuity, Operations, ParameterError, Report, Surface};
 pub use std::default::Default;
+pub use std::ops::{BitAnd, BitOr, Not, Sub};
 pub use std::option::Option;
 pub use std::result::Result::{self, Err, Ok};
 pub use std::vec;

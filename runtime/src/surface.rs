@@ -184,6 +184,14 @@ pub enum ParameterError {
         /// The offending value.
         value: f64,
     },
+    /// An operand of a solid is placed by a map that is none: it has no inverse, as far as can be told.
+    #[error(
+        "the placement of `{surface}` is not finite or flattens it: give an affine map with finite entries and a determinant that is not 0"
+    )]
+    Placement {
+        /// The surface's name.
+        surface: &'static str,
+    },
     /// A table of run-time length is too short: an index of the formula is outside, or a minimum has no row to take.
     #[error(
         "table `{field}` of `{surface}` has {rows} rows, and the formula needs at least {needed}"

@@ -49,9 +49,12 @@ pub enum Verdict {
     },
 }
 
-/// Why a piece of a ray is undecided. The later ones leave more open: on the first two f is defined and continuous.
+/// Why a piece of a ray is undecided. The later ones leave more open: on the first three f is defined and continuous.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Why {
+    /// Events of several operands of a [solid](crate::solid) overlap: in which order their roots come, or whether they
+    /// coincide, is open, and the solid may have roots there or not.
+    Order,
     /// Rounding hides the sign of f: a root of even multiplicity at a kink, a cluster, or a root at the border of the
     /// domain.
     Floor,

@@ -20,7 +20,7 @@ use rayon::prelude::*;
 use crate::beam::{Frame, Hint, Request, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
-use crate::scene::{Prepared, Scene, SceneError, TileJob, hull};
+use crate::scene::{Label, Prepared, Scene, SceneError, TileJob, hull};
 pub use crate::trace::Trail;
 use crate::trace::{Leaves, WithBeams};
 use crate::verdict::{Answer, Verdict};
@@ -74,7 +74,7 @@ pub fn render(scene: &Scene, camera: &Camera, options: &Options) -> Result<Rende
     }
 }
 
-/// All events along one ray against each surface of a scene, in ascending order.
+/// All events along one ray against each surface and each solid of a scene, in ascending order.
 ///
 /// Answers count t from their own entry into the surface's box.
 ///
@@ -129,6 +129,9 @@ pub(crate) struct Job<'a> {
     options: &'a Options<'a>,
     isa: Isa,
     names: Vec<&'static str>,
+    labels: Vec<Label>,
+    /// The index of each one's first label.
+    first: Vec<u16>,
     prepared: Vec<Box<dyn Prepared + 'a>>,
     boxes: Vec<[[f64; 3]; 2]>,
     /// The box around all boxes; nothing without surfaces.
@@ -159,6 +162,8 @@ impl<'a> Job<'a> {
             options,
             isa,
             names: scene.surfaces.iter().map(|s| s.name()).collect(),
+            labels: scene.labels().collect(),
+            first: scene.first_labels(),
             prepared: scene.surfaces.iter().map(|s| s.prepare()).collect(),
             boxes,
             domain,
@@ -223,7 +228,7 @@ impl<'a> Job<'a> {
             .collect();
         let mut statistics = Statistics::new(self.isa.name(), threads);
         statistics.elapsed = start.elapsed();
-        Rendering::new(picture, shards, self.names, statistics)
+        Rendering::new(picture, shards, self.labels, statistics)
     }
 
     /// Each surface's frame and leaves, where it can be traced in beams.
@@ -244,14 +249,14 @@ impl<'a> Job<'a> {
         view: &'b View<'b>,
         beams: &'b [Option<(Frame, Leaves)>],
     ) -> Vec<TileJob<'b>> {
-        let surfaces = self.boxes.iter().zip(beams).enumerate();
+        let surfaces = self.boxes.iter().zip(beams).zip(&self.first);
         surfaces
-            .map(|(index, (domain, beams))| TileJob {
+            .map(|((domain, beams), &index)| TileJob {
                 isa: self.isa,
                 settings: &self.options.settings,
                 view,
                 domain,
-                index: index as u16,
+                index,
                 beams: beams.as_ref().map(|(frame, leaves)| WithBeams {
                     space: Space { frame, domain },
                     leaves: &**leaves,
@@ -337,8 +342,8 @@ impl<'a> Job<'a> {
         let specials = settle(tile);
         phases.roots = clock.elapsed();
         if self.options.normals {
-            for (index, surface) in self.prepared.iter().enumerate() {
-                surface.normals(self.isa, index as u16, tile);
+            for (surface, &index) in self.prepared.iter().zip(&self.first) {
+                surface.normals(self.isa, index, tile);
             }
         }
         phases.normals = clock.elapsed() - phases.roots;

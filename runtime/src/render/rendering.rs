@@ -4,6 +4,7 @@ use super::shard::{Place, Shard};
 use super::statistics::Statistics;
 use super::tile::{BLOCK, TILE, TILES_OF_BLOCK, Tile, blocks};
 use crate::interval::Interval;
+use crate::scene::Label;
 use crate::verdict::{Answer, Verdict};
 
 /// What is known about one pixel.
@@ -11,11 +12,12 @@ use crate::verdict::{Answer, Verdict};
 pub struct Pixel {
     /// The verdicts along its ray.
     pub answer: Answer,
-    /// The index of the surface that it shows.
+    /// The index of the surface that it shows; of a solid, the operand.
     pub surface: Option<usize>,
-    /// The unit normal there, towards the viewer, in plain floats; nothing where the gradient is 0 or was not asked for.
+    /// The unit normal there, towards the viewer (thus out of a solid, unless the ray comes from inside), in plain floats;
+    /// nothing where the gradient is 0 or was not asked for.
     pub normal: Option<[f32; 3]>,
-    /// The root shown overlaps what is or may be one of another surface: which comes first is open.
+    /// The root shown overlaps what is or may be one of another surface or operand: which comes first is open.
     pub tied: bool,
 }
 
@@ -26,6 +28,8 @@ pub struct Rendering {
     /// Where each tile's packets are.
     tiles: Vec<Place>,
     names: Vec<&'static str>,
+    /// The surfaces' own colours, by index.
+    pub(crate) colours: Vec<Option<glam::Vec3>>,
     statistics: Statistics,
 }
 
@@ -33,7 +37,7 @@ impl Rendering {
     pub(super) fn new(
         size: [u32; 2],
         shards: Vec<Shard>,
-        names: Vec<&'static str>,
+        labels: Vec<Label>,
         mut statistics: Statistics,
     ) -> Self {
         let mut tiles = vec![Place::default(); blocks(size) as usize * TILES_OF_BLOCK];
@@ -50,7 +54,8 @@ impl Rendering {
             size,
             shards,
             tiles,
-            names,
+            names: labels.iter().map(|label| label.name).collect(),
+            colours: labels.iter().map(|label| label.colour).collect(),
             statistics,
         }
     }
@@ -70,7 +75,7 @@ impl Rendering {
         &self.statistics
     }
 
-    /// The names of the surfaces, by index.
+    /// The names of the surfaces, by index; each operand of a solid is one.
     pub fn surfaces(&self) -> &[&'static str] {
         &self.names
     }

@@ -142,7 +142,7 @@ impl std::fmt::Display for Statistics {
         writeln!(
             f,
             "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, fine {:.4}, gradient {:.2}; \
-             per packet {:.2}, over beams {:.3}; skipped: empty beams {:.2}, beams with one root {:.2}, outside the box {:.2}, closed form {:.2}",
+             per packet {:.2}, over beams {:.3}; skipped: empty beams {:.2}, beams with one root {:.2}, outside the box {:.2}, closed form {:.2}, operands {:.2} (in part {:.2})",
             per_ray(e.value),
             per_ray(e.slope),
             per_ray(e.curvature),
@@ -155,7 +155,9 @@ impl std::fmt::Display for Statistics {
             1.0 - per_ray(self.made),
             per_ray(e.single),
             per_ray(self.outside),
-            per_ray(e.closed)
+            per_ray(e.closed),
+            per_ray(e.spared),
+            per_ray(e.shortened)
         )?;
         write!(
             f,

@@ -288,7 +288,7 @@ fn within(columns: u32, rows: u32) -> u8 {
 impl PacketRays {
     /// Starts the rays of `inside` where they enter a box; the answer is which of them do.
     #[inline(always)]
-    fn enter<P: Packet>(&mut self, p: P, inside: u8, domain: &[[f64; 3]; 2]) -> u8 {
+    pub fn enter<P: Packet>(&mut self, p: P, inside: u8, domain: &[[f64; 3]; 2]) -> u8 {
         let span = clip(p, &self.lines, domain);
         let met = p.and(p.le(span.near, span.far), p.mask(inside));
         let length = p.sub_ru(span.far, span.near);

@@ -2,12 +2,13 @@
 
 mod surface;
 
-pub(crate) use surface::{Prepared, TileJob, Trace};
+pub(crate) use surface::{Label, Prepared, TileJob, Trace};
 
-use crate::contract::{Auto, Contractor};
+use crate::contract::Contractor;
+use crate::solid::Operand;
 use crate::surface::{ParameterError, Surface};
 
-/// Surfaces, and the box that they are seen in.
+/// Surfaces and [solids](crate::solid), and the box that they are seen in.
 ///
 /// ```
 /// use zeroset::{Scene, contract::Halley, implicit};
@@ -57,15 +58,18 @@ impl Scene {
         Scene::default()
     }
 
-    /// Adds a surface, to be solved by [`Auto`].
-    pub fn with<S: Surface + 'static>(self, surface: S) -> Self {
-        self.with_solver::<Auto, S>(surface)
+    /// Adds a surface or a solid, to be solved by [`Auto`](crate::contract::Auto).
+    pub fn with(self, object: impl Operand) -> Self {
+        object.add_to(self)
     }
 
     /// Adds a surface, to be solved by the contractor `C`.
-    pub fn with_solver<C: Contractor, S: Surface + 'static>(mut self, surface: S) -> Self {
-        self.surfaces
-            .push(Box::new(surface::Solver::<S, C>::new(surface)));
+    pub fn with_solver<C: Contractor, S: Surface + 'static>(self, surface: S) -> Self {
+        self.add(Box::new(surface::Solver::<S, C>::new(surface)))
+    }
+
+    pub(crate) fn add(mut self, object: Box<dyn Trace>) -> Self {
+        self.surfaces.push(object);
         self
     }
 
@@ -75,9 +79,13 @@ impl Scene {
         self
     }
 
-    /// How many surfaces there are. Their indices follow the order in which they were added.
+    /// How many surfaces there are, operands of solids among them. Their indices follow the order in which they were added.
     pub fn len(&self) -> usize {
-        self.surfaces.len()
+        self.labels().count()
+    }
+
+    pub(crate) fn labels(&self) -> impl Iterator<Item = Label> {
+        self.surfaces.iter().flat_map(|surface| surface.labels())
     }
 
     /// Is there no surface?
@@ -85,13 +93,25 @@ impl Scene {
         self.surfaces.is_empty()
     }
 
+    /// The index of the first label of each object.
+    pub(crate) fn first_labels(&self) -> Vec<u16> {
+        let mut next = 0;
+        let mut first = Vec::with_capacity(self.surfaces.len());
+        for surface in &self.surfaces {
+            first.push(next);
+            next += surface.labels().len() as u16;
+        }
+        first
+    }
+
     /// Checks all parameters, and finds each surface's box.
     pub(crate) fn boxes(&self) -> Result<Vec<[[f64; 3]; 2]>, SceneError> {
-        if self.surfaces.len() > usize::from(u16::MAX) {
-            return Err(SceneError::TooMany(self.surfaces.len()));
+        let surfaces = self.len();
+        if surfaces > usize::from(u16::MAX) {
+            return Err(SceneError::TooMany(surfaces));
         }
         if let Some(bounds) = &self.bounds {
-            check_box(bounds, "the scene")?;
+            Self::check_box(bounds, "the scene")?;
         }
         let mut boxes = Vec::with_capacity(self.surfaces.len());
         for surface in &self.surfaces {
@@ -101,20 +121,20 @@ impl Scene {
                 .domain()
                 .or(self.bounds)
                 .ok_or(SceneError::NoDomain { surface: name })?;
-            check_box(&own, name)?;
+            Self::check_box(&own, name)?;
             boxes.push(own);
         }
         Ok(boxes)
     }
-}
 
-/// Coordinates within ±1e150 keep the parameters t of all rays finite.
-fn check_box(b: &[[f64; 3]; 2], of: &'static str) -> Result<(), SceneError> {
-    let fine = (0..3).all(|k| b[0][k] <= b[1][k] && b[0][k] >= -1e150 && b[1][k] <= 1e150);
-    if fine {
-        Ok(())
-    } else {
-        Err(SceneError::BadBox { of })
+    /// Coordinates within ±1e150 keep the parameters t of all rays finite.
+    pub(crate) fn check_box(b: &[[f64; 3]; 2], of: &'static str) -> Result<(), SceneError> {
+        let fine = (0..3).all(|k| b[0][k] <= b[1][k] && b[0][k] >= -1e150 && b[1][k] <= 1e150);
+        if fine {
+            Ok(())
+        } else {
+            Err(SceneError::BadBox { of })
+        }
     }
 }
 

@@ -16,10 +16,24 @@ use crate::trace::{
 /// A surface in a scene.
 pub(crate) trait Trace: Send + Sync {
     fn name(&self) -> &'static str;
+    /// What it shows in a picture, with a number for each.
+    fn labels(&self) -> Vec<Label> {
+        vec![Label {
+            name: self.name(),
+            colour: None,
+        }]
+    }
     fn check(&self) -> Result<(), ParameterError>;
     fn domain(&self) -> Option<[[f64; 3]; 2]>;
     /// Runs the surface stage.
     fn prepare(&self) -> Box<dyn Prepared + '_>;
+}
+
+/// A surface, or an operand of a solid, in a picture.
+pub(crate) struct Label {
+    pub name: &'static str,
+    /// Its own colour, if it has one.
+    pub colour: Option<glam::Vec3>,
 }
 
 /// What all tiles of a picture have in common, for one surface.

@@ -15,7 +15,7 @@ pub struct Shading {
     pub ambient: f32,
     /// The strength of the soft highlight, 0 for none.
     pub highlight: f32,
-    /// The colour of surface i, repeated if there are more surfaces.
+    /// The colour of surface i, unless it has [its own](crate::Operand::coloured); repeated if there are more surfaces.
     pub colours: Vec<Vec3>,
     /// What is seen where nothing is.
     pub background: Vec3,
@@ -42,11 +42,12 @@ impl Default for Shading {
 }
 
 impl Shading {
-    /// The linear colour of surface `index` where its unit normal is `normal`.
-    fn colour(&self, index: usize, normal: Option<[f32; 3]>) -> Vec3 {
-        let base = match self.colours.len() {
-            0 => Vec3::splat(0.7),
-            n => self.colours[index % n],
+    /// The linear colour of surface `index`, which may have its own, where its unit normal is `normal`.
+    fn colour(&self, index: usize, own: Option<Vec3>, normal: Option<[f32; 3]>) -> Vec3 {
+        let base = match (own, self.colours.len()) {
+            (Some(colour), _) => colour,
+            (None, 0) => Vec3::splat(0.7),
+            (None, n) => self.colours[index % n],
         };
         let Some(normal) = normal else {
             return base * self.ambient;
@@ -66,7 +67,7 @@ impl Rendering {
         RgbImage::from_fn(self.width(), self.height(), |x, y| {
             let pixel = self.pixel(x, y);
             let colour = match (pixel.surface, pixel.answer.first) {
-                (Some(index), _) => shading.colour(index, pixel.normal),
+                (Some(index), _) => shading.colour(index, self.colours[index], pixel.normal),
                 (None, Verdict::Miss) => shading.background,
                 (None, _) => shading.unknown,
             };
@@ -75,7 +76,8 @@ impl Rendering {
     }
 
     /// A colour per verdict, each pixel's first: miss white, root green, tangent blue, crossing orange; unresolved red
-    /// (floor), black (budget), purple (undefined), grey (flat). Where the order of two surfaces is open: yellow.
+    /// (floor), brown (order), black (budget), purple (undefined), grey (flat). Where the order of two surfaces is open:
+    /// yellow.
     pub fn verdict_image(&self) -> RgbImage {
         RgbImage::from_fn(self.width(), self.height(), |x, y| {
             let pixel = self.pixel(x, y);
@@ -85,6 +87,9 @@ impl Rendering {
                 Verdict::Root { .. } => [60, 160, 80],
                 Verdict::Tangent { .. } => [40, 90, 220],
                 Verdict::Crossing { .. } => [240, 150, 30],
+                Verdict::Unresolved {
+                    why: Why::Order, ..
+                } => [140, 80, 20],
                 Verdict::Unresolved {
                     why: Why::Floor, ..
                 } => [220, 30, 30],

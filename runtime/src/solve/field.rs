@@ -53,6 +53,10 @@ pub struct Evaluations {
     pub gradient: u64,
     /// Rays decided by the discriminant of a quadric, without a search.
     pub closed: u64,
+    /// Operands of solids that were not searched along a ray, because they cannot matter there: one by one and ray by ray.
+    pub spared: u64,
+    /// Operands of solids that were searched along a part of a ray only.
+    pub shortened: u64,
     /// Rays whose only root a beam had separated: they are not searched.
     pub single: u64,
     /// Enclosures over beams, each counted once per packet of eight.
@@ -82,6 +86,8 @@ impl Evaluations {
         self.fine += other.fine;
         self.gradient += other.gradient;
         self.closed += other.closed;
+        self.spared += other.spared;
+        self.shortened += other.shortened;
         self.single += other.single;
         self.beams += other.beams;
         self.packets += other.packets;

@@ -6,14 +6,18 @@ mod normals;
 mod plan;
 mod range;
 mod roots;
+mod survey;
 mod tile;
+mod trails;
 
 pub(crate) use beams::{AssembleLeaves, Leaves, SurveyGrid, WithBeams};
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use range::RangeAlong;
 pub(crate) use roots::AlongRay;
 pub use roots::Trail;
-pub(crate) use tile::TraceTile;
+pub(crate) use survey::{Beam, BeamOf, SideOfBoxes, Survey, eighth};
+pub(crate) use tile::{TraceTile, segment};
+pub(crate) use trails::{Mark, Trails, TrailsOfTile};
 
 use crate::interval::{Interval, Packet, Routine};
 use crate::ray::{Lines, Rays};

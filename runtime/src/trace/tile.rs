@@ -169,7 +169,7 @@ fn brackets<P: Packet>(
 
 /// The part of each ray that is still of interest, inside the surface's own box if that is not the scene's.
 #[inline(always)]
-fn segment<P: Packet>(
+pub(crate) fn segment<P: Packet>(
     p: P,
     packet: &PacketRays,
     own: Option<&[[f64; 3]; 2]>,

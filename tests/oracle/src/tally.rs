@@ -150,6 +150,7 @@ pub fn kind(verdict: &Verdict) -> &'static str {
         Verdict::Tangent { .. } => "tangent",
         Verdict::Crossing { .. } => "crossing",
         Verdict::Unresolved { why, .. } => match why {
+            Why::Order => "unresolved (order)",
             Why::Floor => "unresolved (floor)",
             Why::Budget => "unresolved (budget)",
             Why::Undefined => "unresolved (undefined)",

@@ -81,6 +81,39 @@ pub fn placeholder_default(head: &Head) -> TokenStream {
     }
 }
 
+/// `&`, `|`, `-` and `!` make solids. Coherence allows no implementation for all surfaces, so each has its own; inlined,
+/// they cost nothing where they are not used.
+pub fn operators(name: &Ident) -> TokenStream {
+    let binary = [
+        ("BitAnd", "bitand", "and"),
+        ("BitOr", "bitor", "or"),
+        ("Sub", "sub", "without"),
+    ];
+    let binary = binary.map(|(operator, method, function)| {
+        let [operator, method, function] =
+            [operator, method, function].map(|n| format_ident!("{n}"));
+        quote! {
+            impl<R: __zeroset::Operand> __zeroset::#operator<R> for #name {
+                type Output = __zeroset::Solid;
+                #[inline]
+                fn #method(self, other: R) -> __zeroset::Solid {
+                    __zeroset::Solid::#function(self, other)
+                }
+            }
+        }
+    });
+    quote! {
+        #(#binary)*
+        impl __zeroset::Not for #name {
+            type Output = __zeroset::Solid;
+            #[inline]
+            fn not(self) -> __zeroset::Solid {
+                __zeroset::Solid::complement(self)
+            }
+        }
+    }
+}
+
 /// `with_…` for each field.
 pub fn setters(name: &Ident, fields: &[FieldHead]) -> TokenStream {
     if fields.is_empty() {

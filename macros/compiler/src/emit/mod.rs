@@ -104,6 +104,7 @@ fn implementation(
     let text = name.to_string();
     let facts = Facts::new(&compiled, &counts);
     let members = members(&compiled, &facts, formula, &text)?;
+    let operators = item::operators(name);
     let code = quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         const _: () = {
@@ -113,6 +114,7 @@ fn implementation(
             impl __zeroset::Surface for #name {
                 #members
             }
+            #operators
             #default
         };
     };

@@ -1,0 +1,312 @@
+//! A solid in a scene.
+
+use super::leaf::PreparedLeaf;
+use super::span::Span8;
+use super::sweep::Face;
+use super::tile::Explorer;
+use super::tree::Node;
+use super::{Part, Solid};
+use crate::beam::{Frame, Hint, Request};
+use crate::camera::Ray;
+use crate::interval::{Interval, Isa, Kernel, Packet};
+use crate::ray::Lines;
+use crate::render::tile::{Event, PACKETS, PACKETS_OF_CELL, PacketRays, Tile, View};
+use crate::scene::{Label, Prepared, TileJob, Trace};
+use crate::solve::Settings;
+use crate::surface::ParameterError;
+use crate::trace::{BeamOf, Leaves, Trail, WithBeams, segment};
+use crate::verdict::Verdict;
+
+impl Trace for Solid {
+    fn name(&self) -> &'static str {
+        "solid"
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let label = |part: &Part| Label {
+            name: part.leaf.name(),
+            colour: part.colour,
+        };
+        self.parts.iter().map(label).collect()
+    }
+
+    fn check(&self) -> Result<(), ParameterError> {
+        self.parts.iter().try_for_each(|part| part.leaf.check())
+    }
+
+    fn domain(&self) -> Option<[[f64; 3]; 2]> {
+        self.domain_of(&self.node)
+    }
+
+    fn prepare(&self) -> Box<dyn Prepared + '_> {
+        Box::new(self.ready())
+    }
+}
+
+impl Solid {
+    /// Runs the surface stages.
+    pub(super) fn ready(&self) -> PreparedSolid<'_> {
+        let mut node = self.node.clone();
+        node.sort(&|index| self.parts[index].leaf.cost());
+        PreparedSolid {
+            node,
+            leaves: self.parts.iter().map(|part| part.leaf.prepare()).collect(),
+        }
+    }
+
+    /// The box outside of which a node has no points, as far as its operands' boxes say.
+    fn domain_of(&self, node: &Node) -> Option<[[f64; 3]; 2]> {
+        match node {
+            Node::Leaf(index) => self.parts[*index].leaf.domain(),
+            Node::Not(_) => None,
+            Node::Both(parts) => {
+                let boxes = parts.iter().filter_map(|part| self.domain_of(part));
+                boxes.reduce(|a, b| {
+                    let low = [0, 1, 2].map(|k| a[0][k].max(b[0][k]));
+                    // Operands apart leave no box; one without volume does.
+                    [low, [0, 1, 2].map(|k| a[1][k].min(b[1][k]).max(low[k]))]
+                })
+            }
+            Node::Either(parts) => {
+                let boxes: Option<Vec<_>> = parts.iter().map(|part| self.domain_of(part)).collect();
+                crate::scene::hull(&boxes?)
+            }
+        }
+    }
+}
+
+/// A solid after its operands' surface stages.
+pub(super) struct PreparedSolid<'a> {
+    pub node: Node,
+    pub leaves: Vec<Box<dyn PreparedLeaf + 'a>>,
+}
+
+impl PreparedSolid<'_> {
+    /// The faces along each ray of a tile, in ascending order, cell by cell; nothing on a ray without any.
+    fn faces(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        tile: &mut Tile,
+        first_only: bool,
+        mut found: impl FnMut(&mut Tile, usize, usize, &[Face]),
+    ) {
+        for first in (0..tile.packets.len()).step_by(PACKETS_OF_CELL) {
+            let cell = first..tile.packets.len().min(first + PACKETS_OF_CELL);
+            let over = isa.run(Segments {
+                own: (*domain != tile.domain).then_some(domain),
+                packets: &tile.packets[cell.clone()],
+            });
+            let packets = &tile.packets[cell];
+            let Some(beam) = isa.run(BeamOf { packets }) else {
+                continue;
+            };
+            let explored = Explorer {
+                node: &self.node,
+                leaves: &self.leaves,
+                isa,
+                settings,
+                packets,
+                beam: &beam,
+                counts: &mut tile.counts,
+            }
+            .explore(&over);
+            let Some(explored) = explored else { continue };
+            let mut sweep = explored.sweep(first_only);
+            for (packet, span) in over.iter().enumerate() {
+                for lane in 0..8 {
+                    let ray = span.of(lane);
+                    if ray.lo <= ray.hi {
+                        explored.faces(&mut sweep, packet, lane, ray);
+                        if !sweep.faces.is_empty() {
+                            found(tile, first + packet, lane, &sweep.faces);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The part of each ray that is of interest.
+struct Segments<'a> {
+    /// The solid's box, if it is not the scene's.
+    own: Option<&'a [[f64; 3]; 2]>,
+    packets: &'a [PacketRays],
+}
+
+impl Kernel for Segments<'_> {
+    type Output = Vec<Span8>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Vec<Span8> {
+        let span = |packet: &PacketRays| {
+            let (over, live) = segment(p, packet, self.own);
+            Span8 {
+                lo: p.to_array(over.lo),
+                hi: p.to_array(p.select(live, over.hi, p.splat(-1.0))),
+            }
+        };
+        self.packets.iter().map(span).collect()
+    }
+}
+
+/// Makes the rays of all packets of a tile.
+struct AllRays<'a> {
+    view: &'a View<'a>,
+    tile: &'a mut Tile,
+}
+
+impl Kernel for AllRays<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) {
+        for packet in 0..PACKETS {
+            self.tile.enter(p, self.view, packet);
+        }
+    }
+}
+
+/// A tile with one ray.
+struct OneRay<'a> {
+    ray: &'a Ray,
+    domain: &'a [[f64; 3]; 2],
+}
+
+impl Kernel for OneRay<'_> {
+    type Output = Tile;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Tile {
+        let mut packet = PacketRays {
+            lines: Lines::same(self.ray),
+            ..PacketRays::default()
+        };
+        packet.enter(p, 1, self.domain);
+        Tile {
+            domain: *self.domain,
+            packets: vec![packet],
+            ..Tile::default()
+        }
+    }
+}
+
+impl Prepared for PreparedSolid<'_> {
+    /// Operands are surveyed cell by cell.
+    fn leaves(&self, _isa: Isa, _frame: &Frame) -> Option<Leaves> {
+        None
+    }
+
+    fn survey(&self, _: Isa, _: WithBeams, _: &Request, _: &mut u64) -> [Hint; 8] {
+        [Hint::OPEN; 8]
+    }
+
+    fn trace(&self, job: &TileJob, _hint: Hint, tile: &mut Tile) {
+        job.isa.run(AllRays {
+            view: job.view,
+            tile,
+        });
+        // Nothing is known about rays beside those that sample.
+        tile.missed = 0;
+        self.faces(
+            job.isa,
+            job.settings,
+            job.domain,
+            tile,
+            true,
+            |tile, packet, lane, faces| {
+                for face in faces {
+                    let surface = job.index + face.leaf as u16;
+                    if keep(tile, packet, lane, face, surface) {
+                        break;
+                    }
+                }
+            },
+        );
+    }
+
+    fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
+        for (number, leaf) in (index..).zip(&self.leaves) {
+            leaf.normals(isa, number, tile);
+        }
+    }
+
+    fn along(
+        &self,
+        isa: Isa,
+        settings: &Settings,
+        domain: &[[f64; 3]; 2],
+        ray: &Ray,
+        first_only: bool,
+    ) -> Trail {
+        let mut tile = isa.run(OneRay { ray, domain });
+        let end = tile.packets[0].limit[0];
+        if end < 0.0 {
+            return Trail::default();
+        }
+        let mut trail = Trail {
+            entry: tile.packets[0].record.entry[0],
+            end: Some(end),
+            ..Trail::default()
+        };
+        self.faces(
+            isa,
+            settings,
+            domain,
+            &mut tile,
+            first_only,
+            |_, _, _, faces| {
+                for face in faces {
+                    face.verdict.append(&mut trail.events);
+                    if first_only && face.verdict.is_certain_hit() {
+                        break;
+                    }
+                }
+            },
+        );
+        trail
+    }
+}
+
+/// Keeps a face, as far as it is not behind what the ray shows. Is it a certain hit, behind which nothing is of interest?
+/// Plain roots that are nearer than what is shown go into the record; the rest into the tile's list.
+fn keep(tile: &mut Tile, packet: usize, lane: usize, face: &Face, surface: u16) -> bool {
+    let rays = &mut tile.packets[packet];
+    let (record, bit) = (&mut rays.record, 1 << lane);
+    if let Verdict::Root { t } = face.verdict {
+        let old = Interval {
+            lo: record.lo[lane],
+            hi: record.hi[lane],
+        };
+        let nearer = t.lo < old.lo;
+        let apart = t.hi < old.lo || old.hi < t.lo;
+        if apart {
+            record.tied &= !bit;
+        } else {
+            record.tied |= bit;
+        }
+        if nearer {
+            record.shown |= bit;
+            (record.lo[lane], record.hi[lane]) = (t.lo, t.hi);
+            record.surface[lane] = surface;
+            record.tied |= u8::from(face.tied) << lane;
+        }
+        rays.limit[lane] = rays.limit[lane].min(t.hi);
+        return true;
+    }
+    record.special |= bit;
+    record.tied |= u8::from(face.tied && face.verdict.is_certain_hit()) << lane;
+    tile.events.push(Event {
+        packet: packet as u16,
+        lane: lane as u8,
+        surface,
+        verdict: face.verdict,
+    });
+    if let Verdict::Crossing { t } = face.verdict {
+        rays.limit[lane] = rays.limit[lane].min(t.hi);
+        return true;
+    }
+    false
+}
