@@ -60,7 +60,7 @@ impl<S: Surface> Leaf for Placed<S> {
         Surface::domain(self)
     }
     fn cost(&self) -> u64 {
-        u64::from(S::REPORT.segment_operations[0]) + 1
+        u64::from(S::REPORT.segment[0].staged) + 1
     }
     fn place(&mut self, map: DAffine3) {
         Placed::place(self, map);
