@@ -148,7 +148,7 @@ pub fn pairs() -> Vec<Pair> {
         ),
         pair(
             "coincident inner faces",
-            (left(0.0) - left(-0.9) | left(0.9) - left(0.0)) & square(),
+            ((left(0.0) - left(-0.9)) | (left(0.9) - left(0.0))) & square(),
             implicit!(max(
                 min(max(x, -0.9 - x), max(x - 0.9, -x)),
                 max(abs(y), abs(z)) - 0.7

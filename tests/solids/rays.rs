@@ -72,7 +72,7 @@ fn sides_come_from_signs_and_not_from_counts() {
     // A double root counts two, one or none; behind it f still has the same sign.
     let places = [-1.0, -0.9, 0.9, 1.0];
     let shell = || ball(0.0, 1.0) - ball(0.0, 0.9);
-    roots(shell() - Doubled & left(3.0), &places);
+    roots((shell() - Doubled) & left(3.0), &places);
     // It is an event of the solid where it matters, and the roots behind are as certain as those before.
     let events = events(ball(0.0, 1.0) - Doubled);
     let certain: Vec<bool> = events.iter().map(Verdict::is_certain_hit).collect();

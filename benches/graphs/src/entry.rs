@@ -175,7 +175,7 @@ pub struct Random(pub u64);
 
 impl Random {
     /// The next one.
-    pub fn next(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6364136223846793005)
@@ -187,8 +187,8 @@ impl Random {
     fn interval<P: Packet>(&mut self, p: P, half: f64) -> Interval<P::F> {
         let (mut lo, mut hi) = ([0.0; 8], [0.0; 8]);
         for (lo, hi) in lo.iter_mut().zip(&mut hi) {
-            let width = half * (2.0 + 6.0 * self.next()).exp2().recip();
-            *lo = (2.0 * half - width) * self.next() - half;
+            let width = half * (2.0 + 6.0 * self.number()).exp2().recip();
+            *lo = (2.0 * half - width) * self.number() - half;
             *hi = *lo + width;
         }
         Interval {
@@ -204,7 +204,7 @@ fn rays<P: Packet>(p: P, half: f64) -> Rays<P> {
     let mut lanes = |scale: f64| {
         let mut all = [0.0; 8];
         all.iter_mut()
-            .for_each(|x| *x = half * scale * (2.0 * random.next() - 1.0));
+            .for_each(|x| *x = half * scale * (2.0 * random.number() - 1.0));
         p.point(p.lanes(all))
     };
     let flat = |x: f64| p.point(p.splat(x));

@@ -13,6 +13,8 @@ macro_rules! form {
     ($d:tt $($module:ident)*) => {
         $(
             /// Formulas of the zoo and of the paper's family, in this form.
+            // The same files in every form: that is the comparison.
+            #[allow(clippy::duplicate_mod)]
             #[path = "."]
             pub mod $module {
                 macro_rules! implicit {

@@ -31,14 +31,14 @@ pub fn widths<S: Surface>(surface: &S, half: f64, width: f64, count: usize) -> V
     let mut random = Random(5);
     let mut all = Vec::new();
     for _ in 0..count {
-        let mut place = |scale: f64| Interval::point(half * scale * (2.0 * random.next() - 1.0));
+        let mut place = |scale: f64| Interval::point(half * scale * (2.0 * random.number() - 1.0));
         let rays = Rays {
             origin: [place(0.6), place(0.6), Interval::point(-half)],
             direction: [place(0.4), place(0.4), Interval::point(2.0 * half)],
             end: 1.0,
         };
         S::bind(p, &prepared, &rays, &active, &mut bound);
-        let lo = (1.0 - width) * random.next();
+        let lo = (1.0 - width) * random.number();
         let t = Interval { lo, hi: lo + width };
         let m = 0.5 * (t.lo + t.hi);
         let [_, slope, curvature] = S::curvature(p, &prepared, &bound, t).d;

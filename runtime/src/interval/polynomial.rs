@@ -168,7 +168,7 @@ fn hull<P: Packet, const N: usize, const K: usize>(
     let (mut least, mut most) = (d[0], d[0]);
     unrolled!(J => {
         unrolled!(I => {
-            if J > 0 && I + J + K < N {
+            if J != 0 && I + J + K < N {
                 d[I] = p.add_rn(d[I], d[I + 1]);
             }
         });

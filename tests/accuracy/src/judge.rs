@@ -78,7 +78,7 @@ impl Score {
         let all = (0..known.roots.len()).map(distance);
         let nearest = all.fold(f64::INFINITY, f64::min);
         let far = (10.0 * tolerance).max(0.01);
-        if !(nearest <= far) {
+        if nearest.is_nan() || nearest > far {
             self.invented += 1;
         } else if distance(0) > nearest.max(tolerance) {
             self.wrong_sheet += 1;

@@ -110,14 +110,13 @@ fn first(c: &Coefficients, degree: usize, tolerance: f64) -> f64 {
         }
     }
     // Ends of the pieces on which the next polynomial is monotone.
-    let (mut ends, mut count) = ([0.0; ROOM + 2], 0);
+    let (mut ends, mut count) = ([0.0; ROOM + 2], 0usize);
     for k in (0..degree).rev() {
         let polynomial = &derivatives[k][..=degree - k];
         let (mut roots, mut found) = ([0.0; ROOM + 2], 0);
         let mut a = -1.0;
         let mut fa = value(polynomial, a)[0];
-        for number in 0..=count {
-            let b = if number == count { 1.0 } else { ends[number] };
+        for b in ends[..count].iter().copied().chain([1.0]) {
             let fb = value(polynomial, b)[0];
             if (fa < 0.0) != (fb < 0.0) {
                 let root = within(polynomial, [a, b], fa < 0.0, tolerance);
