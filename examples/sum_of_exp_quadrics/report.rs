@@ -54,6 +54,16 @@ pub fn statistics(out: &mut impl Write, s: &Statistics) -> Result<()> {
         let share = 100.0 * per_ray(count);
         writeln!(out, "{name:<12}{count:>12}{share:>8.2} %")?;
     }
+    let area = s.area;
+    writeln!(out, "\n{:<12}{:>12}{:>10}", "all rays", "pixels", "share")?;
+    for (name, count) in [
+        ("hit", area.hit),
+        ("miss", area.miss),
+        ("undecided", area.undecided),
+    ] {
+        let share = 100.0 * per_ray(count);
+        writeln!(out, "{name:<12}{count:>12}{share:>8.2} %")?;
+    }
     let e = &s.evaluations;
     writeln!(out, "\n{:<12}{:>12}{:>10}", "evaluations", "all", "per ray")?;
     for (name, count) in [

@@ -209,8 +209,8 @@ impl Camera {
 }
 
 /// Where the pixels of a packet of 4×2 lie from its first.
-const COLUMNS: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0];
-const ROWS: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+pub(crate) const COLUMNS: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0];
+pub(crate) const ROWS: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
 
 /// A pixel on the picture plane, in pixels to the right and up from the middle (half of them, exact), and the size of
 /// a pixel in halves of the picture's height.

@@ -8,20 +8,24 @@ use crate::interval::{Interval, Packet};
 pub(crate) struct Grid {
     pub columns: u32,
     pub part: [u32; 2],
+    /// Do the beams hold the whole pixels' rays, or only those through the places where they are sampled?
+    pub whole: bool,
 }
 
 /// Eight beams.
 #[derive(Clone, Copy)]
 pub(crate) struct Group<'a, P: Packet> {
     frame: &'a Frame,
+    /// The middles of the beams, in pixels to the right and up from the middle of the picture.
+    pub pixels: [P::F; 2],
     /// The middles of the beams on the picture plane, and half their sizes.
     middle: [P::F; 2],
     half: [P::F; 2],
 }
 
 impl<'a, P: Packet> Group<'a, P> {
-    /// The beams of a grid whose upper left pixel is sampled at `corner`, in pixels to the right and up from the middle of
-    /// the picture.
+    /// The beams of a grid whose upper left pixel is sampled at `corner`, or has its middle there if the beams hold whole
+    /// pixels; in pixels to the right and up from the middle of the picture.
     #[inline(always)]
     pub fn new(p: P, frame: &'a Frame, corner: [f64; 2], grid: &Grid) -> Self {
         let [width, height] = grid.part.map(f64::from);
@@ -33,14 +37,17 @@ impl<'a, P: Packet> Group<'a, P> {
         }
         // Pixels are exact numbers here; the size of a pixel times one is rounded, and so is the middle.
         let pixel = p.splat(frame.pixel);
-        let middle = [p.mul_rn(p.lanes(x), pixel), p.mul_rn(p.lanes(y), pixel)];
+        let pixels = [p.lanes(x), p.lanes(y)];
+        let middle = pixels.map(|x| p.mul_rn(x, pixel));
         let mut half = middle;
         for (k, size) in [width, height].into_iter().enumerate() {
+            let reach = if grid.whole { size } else { size - 1.0 };
             let round = p.mul_ru(p.abs_f(middle[k]), p.splat(f64::EPSILON));
-            half[k] = p.add_ru(round, p.mul_ru(p.splat(0.5 * (size - 1.0)), pixel));
+            half[k] = p.add_ru(round, p.mul_ru(p.splat(0.5 * reach), pixel));
         }
         Group {
             frame,
+            pixels,
             middle,
             half,
         }
@@ -138,6 +145,43 @@ impl<'a, P: Packet> Group<'a, P> {
             reach(p, high, p.sub_ru(grows, d.lo), &mut span);
         }
         span
+    }
+
+    /// Are the beams over `t` inside a box? They are convex: their corners tell.
+    #[inline(always)]
+    pub fn inside(&self, p: P, t: &Interval<P::F>, domain: &[[f64; 3]; 2]) -> P::M {
+        let frame = self.frame;
+        let slab = self.slab(p, t);
+        let Shift { at, turn, .. } = self.shift(p);
+        let side = |k: usize| {
+            let middle = p.add(p.point(at[k]), p.mul(p.point(turn[k]), *t));
+            Interval {
+                lo: p.sub_rd(middle.lo, slab.half[k]),
+                hi: p.add_ru(middle.hi, slab.half[k]),
+            }
+        };
+        let (x, y) = (side(0), side(1));
+        let mut inside = p.not(p.none());
+        for axis in 0..3 {
+            let [forward, right, up] = frame.axes.map(|v| p.point(p.splat(v[axis])));
+            let origin = p.recentre(p.splat(frame.near), forward.lo, p.splat(frame.from[axis]));
+            let along = p.add(origin, p.mul(forward, *t));
+            let place = p.add(along, p.add(p.mul(right, x), p.mul(up, y)));
+            let [low, high] = domain.map(|corner| p.splat(corner[axis]));
+            inside = p.and(inside, p.and(p.le(low, place.lo), p.le(place.hi, high)));
+        }
+        inside
+    }
+
+    /// The size of a pixel in x and y at t.
+    #[inline(always)]
+    pub fn pixel(&self, p: P, t: P::F) -> P::F {
+        let pixel = p.splat(self.frame.pixel);
+        if self.frame.perspective {
+            p.mul_rn(pixel, p.add_rn(p.splat(self.frame.near), t))
+        } else {
+            pixel
+        }
     }
 
     /// See [`Frame`].

@@ -19,9 +19,19 @@ pub(crate) struct Single {
     pub t: [f64; 2],
     /// Bounds of the derivative along the rays there; 0 is outside.
     pub slope: [f64; 2],
+    /// Is the piece inside the surface's box, so that each ray has its root?
+    pub inside: bool,
+    /// Where the roots may be, without any guarantee: this, plus this per pixel to the right, plus this per pixel up,
+    /// counted from the middle of the picture.
+    pub plane: [f64; 3],
 }
 
 impl Hint {
+    /// Does every ray of the beam have a root inside the surface's box?
+    pub fn is_full(&self) -> bool {
+        self.single.is_some_and(|single| single.inside)
+    }
+
     /// Nothing is known.
     pub const OPEN: Hint = Hint {
         open: true,

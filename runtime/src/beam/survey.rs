@@ -24,7 +24,7 @@ pub(crate) struct Space<'a> {
 /// Eight beams to be surveyed.
 pub(crate) struct Request<'a> {
     pub space: Space<'a>,
-    /// Where the upper left pixel is sampled, in pixels to the right and up from the middle of the picture.
+    /// Where the upper left pixel is; see [`Group::new`].
     pub corner: [f64; 2],
     pub grid: &'a Grid,
     /// The beams that are of interest.
@@ -98,7 +98,12 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
         if p.any(found.open) {
             surveyor.prove_single(&mut found);
         }
-        found.hints(p, frame)
+        let t = Interval {
+            lo: found.front,
+            hi: found.back,
+        };
+        let inside = p.bits(p.and(found.one, group.inside(p, &t, domain)));
+        found.hints(p, frame, inside)
     }
 }
 
@@ -133,12 +138,14 @@ struct Found<P: Packet> {
     back: P::F,
     /// … and this derivative along it.
     slope: Interval<P::F>,
+    /// Where the roots may be.
+    plane: [P::F; 3],
 }
 
 impl<P: Packet> Found<P> {
     /// From the frame's t to the rays', which differ by the frame's slack.
     #[inline(always)]
-    fn hints(&self, p: P, frame: &Frame) -> [Hint; 8] {
+    fn hints(&self, p: P, frame: &Frame, inside: u8) -> [Hint; 8] {
         let near = p.splat(frame.near);
         let slack = p.splat(frame.slack);
         let free = p.to_array(p.sub_rd(p.add_rd(self.front, near), slack));
@@ -146,6 +153,7 @@ impl<P: Packet> Found<P> {
         let last = p.to_array(p.add_ru(p.sub_ru(self.back, slack), near));
         let length = p.to_array(self.length);
         let (lo, hi) = (p.to_array(self.slope.lo), p.to_array(self.slope.hi));
+        let [at, right, up] = self.plane.map(|x| p.to_array(x));
         let (open, one) = (p.bits(self.open), p.bits(self.one));
         let mut hints = [Hint::OPEN; 8];
         for (lane, hint) in hints.iter_mut().enumerate() {
@@ -156,6 +164,8 @@ impl<P: Packet> Found<P> {
                 single: (one >> lane & 1 != 0).then_some(Single {
                     t: [first[lane], last[lane]],
                     slope: [lo[lane], hi[lane]],
+                    inside: inside >> lane & 1 != 0,
+                    plane: [at[lane] + frame.near, right[lane], up[lane]],
                 }),
             };
         }
@@ -239,6 +249,7 @@ impl<P: Packet> Surveyor<'_, P> {
                 lo: front,
                 hi: front,
             },
+            plane: [front; 3],
         }
     }
 
@@ -319,31 +330,53 @@ impl<P: Packet> Surveyor<'_, P> {
         found.one = one;
         found.back = p.select(one, back, found.back);
         found.slope = select(p, one, &along.d[1], &found.slope);
+        if p.any(one) {
+            found.plane = self.plane(root);
+        }
+    }
+
+    /// The tangential plane at a root of the middle ray: t there, and its change per pixel.
+    #[inline(always)]
+    fn plane(&mut self, root: P::F) -> [P::F; 3] {
+        let p = self.p;
+        let [along, right, up] = [Direction::Along, Direction::Right, Direction::Up]
+            .map(|direction| self.plainly(root, direction)[1]);
+        let scale = p.neg_f(p.div_rn(self.group.pixel(p, root), along));
+        let [right, up] = [p.mul_rn(right, scale), p.mul_rn(up, scale)];
+        let [x, y] = self.group.pixels;
+        let at = p.sub_rn(root, p.add_rn(p.mul_rn(x, right), p.mul_rn(y, up)));
+        [at, right, up]
+    }
+
+    /// f and its derivative in a direction on the middle ray, nearly.
+    #[inline(always)]
+    fn plainly(&mut self, x: P::F, direction: Direction) -> [P::F; 2] {
+        let p = self.p;
+        let (zero, half) = (p.splat(0.0), p.splat(0.5));
+        *self.count += 1;
+        let over = Slab {
+            t: Interval { lo: x, hi: x },
+            half: [zero; 2],
+        };
+        let f = self.surface.slope(
+            p,
+            &Towards {
+                over,
+                direction,
+                tilt: zero,
+                turn: [zero; 2],
+            },
+        );
+        f.d.map(|f| p.mul_rn(half, p.add_rn(f.lo, f.hi)))
     }
 
     /// Where the middle ray's root may be: a few Newton steps from the front, which prove nothing.
     #[inline(always)]
     fn guess(&mut self, front: P::F) -> P::F {
         let p = self.p;
-        let zero = p.splat(0.0);
-        let half = p.splat(0.5);
         let mut x = front;
         for _ in 0..4 {
-            *self.count += 1;
-            let f = self.surface.slope(
-                p,
-                &Towards {
-                    over: Slab {
-                        t: Interval { lo: x, hi: x },
-                        half: [zero; 2],
-                    },
-                    direction: Direction::Along,
-                    tilt: zero,
-                    turn: [zero; 2],
-                },
-            );
-            let value = p.mul_rn(half, p.add_rn(f.d[0].lo, f.d[0].hi));
-            let slope = p.mul_rn(half, p.add_rn(f.d[1].lo, f.d[1].hi));
+            let [value, slope] = self.plainly(x, Direction::Along);
             let next = p.sub_rn(x, p.div_rn(value, slope));
             // A step that leads nowhere, or is no number, is not taken.
             let fine = p.and(p.le(front, next), p.le(next, self.end));

@@ -53,6 +53,7 @@ impl Compare {
                 Grid {
                     columns: 4,
                     part: [1, 1],
+                    whole: false,
                 },
             ),
             (
@@ -60,6 +61,7 @@ impl Compare {
                 Grid {
                     columns: 4,
                     part: [8, 8],
+                    whole: true,
                 },
             ),
         ] {
@@ -206,6 +208,7 @@ fn a_beam_that_misses_the_box_has_no_span() {
             let grid = Grid {
                 columns: 4,
                 part: [8, 8],
+                whole: true,
             };
             let group = Group::new(p, &self.0, [-16.0, 8.0], &grid);
             let span = group.span(p, &DOMAIN);

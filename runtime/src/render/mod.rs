@@ -10,7 +10,7 @@ pub(crate) mod tile;
 
 pub use options::{Options, Progress};
 pub use rendering::{Pixel, Rendering};
-pub use statistics::{Phases, Statistics};
+pub use statistics::{Area, Phases, Statistics};
 
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::time::Instant;
@@ -285,7 +285,7 @@ impl<'a> Job<'a> {
                 };
                 let request = Request {
                     space: beams.space,
-                    corner: view.plane(corner),
+                    corner: view.begin(corner, &GRID_OF_TILES),
                     grid: &GRID_OF_TILES,
                     live,
                     known: &Hint::OPEN,
@@ -296,11 +296,11 @@ impl<'a> Job<'a> {
         shard.statistics.phases.beams += clock.elapsed();
         shard.statistics.rays += within(view.picture, corner);
         for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
-            if let Some(domain) = self.domain
-                && hints.iter().any(|tiles| tiles[k].open)
-            {
-                tile.begin(view, place(k), domain);
+            tile.begin(view, place(k), self.domain.unwrap_or_default());
+            if hints.iter().any(|tiles| tiles[k].open) {
                 self.tile(surfaces, &hints, k, tile, number, shard);
+            } else {
+                shard.statistics.area.add(&tile.area());
             }
         }
     }
@@ -319,6 +319,9 @@ impl<'a> Job<'a> {
         let clock = Instant::now();
         for ((job, surface), hints) in surfaces.iter().zip(&self.prepared).zip(hints) {
             if hints[k].open {
+                if job.beams.is_none() {
+                    tile.missed = 0;
+                }
                 surface.trace(job, hints[k], tile);
             }
         }

@@ -79,6 +79,7 @@ impl Shard {
         if place.kept != 0 {
             self.tiles.push((number, place));
         }
+        self.statistics.area.add(&tile.area());
         self.statistics.outside += tile.outside;
         self.statistics.made += tile.made();
         self.statistics.evaluations.add(&tile.counts);

@@ -23,6 +23,26 @@ impl Phases {
     }
 }
 
+/// What is certain about a picture's area, not only about the rays that sample it; in pixels. Beams through whole pixels
+/// prove it, so it takes [`beams`](crate::solve::Settings::beams), and is told cell by cell, of 8×8 pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Area {
+    /// Every ray through it hits a surface.
+    pub hit: u64,
+    /// No ray through it hits one.
+    pub miss: u64,
+    /// All else: outlines, and what was not surveyed.
+    pub undecided: u64,
+}
+
+impl Area {
+    pub(super) fn add(&mut self, other: &Area) {
+        self.hit += other.hit;
+        self.miss += other.miss;
+        self.undecided += other.undecided;
+    }
+}
+
 /// Counts and times of a render.
 #[derive(Clone, Debug, Default)]
 pub struct Statistics {
@@ -40,6 +60,8 @@ pub struct Statistics {
     pub unresolved: u64,
     /// Rays on which the nearest roots of two surfaces overlap.
     pub tied: u64,
+    /// What is certain for all rays, sampled or not.
+    pub area: Area,
     /// Rays that were made one by one; beams showed that the others meet nothing.
     pub made: u64,
     /// Rays among them that do not meet the scene's box: no stage runs for them.
@@ -74,6 +96,7 @@ impl Statistics {
         self.unresolved += shard.unresolved;
         self.miss += shard.rays - shard.root - shard.tangent - shard.crossing - shard.unresolved;
         self.tied += shard.tied;
+        self.area.add(&shard.area);
         self.made += shard.made;
         self.outside += shard.outside;
         self.evaluations.add(&shard.evaluations);
@@ -103,6 +126,18 @@ impl std::fmt::Display for Statistics {
             self.crossing,
             self.unresolved,
             self.tied
+        )?;
+        let Area {
+            hit,
+            miss,
+            undecided,
+        } = self.area;
+        writeln!(
+            f,
+            "certain area: hit {hit} ({:.2} %), miss {miss} ({:.2} %), undecided {undecided} ({:.2} %) pixels",
+            share(hit),
+            share(miss),
+            share(undecided)
         )?;
         writeln!(
             f,

@@ -1,8 +1,9 @@
 //! A tile of the picture while it is worked on.
 
 use super::record::Record;
+use super::statistics::Area;
 use crate::beam::Grid;
-use crate::camera::{Camera, Sampling, plane};
+use crate::camera::{COLUMNS, Camera, ROWS, Sampling, plane};
 use crate::interval::Packet;
 use crate::ray::{Lines, clip};
 use crate::solve::Evaluations;
@@ -25,6 +26,7 @@ pub(crate) const TILES_OF_BLOCK: usize = 8;
 pub(crate) const GRID_OF_TILES: Grid = Grid {
     columns: BLOCK[0] / TILE[0],
     part: TILE,
+    whole: true,
 };
 
 /// How many blocks a picture has.
@@ -46,6 +48,29 @@ impl View<'_> {
     pub fn plane(&self, pixel: [u32; 2]) -> [f64; 2] {
         let [x, y, _] = plane(pixel, self.picture, self.sampling);
         [x, y]
+    }
+
+    /// Where a grid of beams that begins at this pixel does.
+    pub fn begin(&self, pixel: [u32; 2], grid: &Grid) -> [f64; 2] {
+        let sampling = if grid.whole {
+            Sampling::Centre
+        } else {
+            self.sampling
+        };
+        let [x, y, _] = plane(pixel, self.picture, sampling);
+        [x, y]
+    }
+
+    /// c₀ + c₁x + c₂y in these coordinates, for a packet from this pixel on.
+    #[inline(always)]
+    pub fn linear<P: Packet>(&self, p: P, corner: [u32; 2], c: &[f64; 3]) -> P::F {
+        let [x, y] = self.plane(corner);
+        let first = p.splat(c[0] + x * c[1] + y * c[2]);
+        let columns = p.mul_rn(p.lanes(COLUMNS), p.splat(c[1]));
+        p.sub_rn(
+            p.add_rn(first, columns),
+            p.mul_rn(p.lanes(ROWS), p.splat(c[2])),
+        )
     }
 }
 
@@ -84,6 +109,10 @@ pub(crate) struct Tile {
     pub counts: Evaluations,
     /// Rays that do not meet the domain, of those that were made.
     pub outside: u64,
+    /// Cells in which all rays certainly miss all surfaces, whether they are sampled or not, …
+    pub missed: u8,
+    /// … and in which all certainly hit one.
+    pub full: u8,
 }
 
 impl Default for Tile {
@@ -99,6 +128,8 @@ impl Default for Tile {
             events: Vec::new(),
             counts: Evaluations::default(),
             outside: 0,
+            missed: 0,
+            full: 0,
         }
     }
 }
@@ -159,12 +190,14 @@ impl Tile {
     pub const GRID_OF_CELLS: Grid = Grid {
         columns: TILE[0] / CELL[0],
         part: CELL,
+        whole: true,
     };
 
     /// How a cell is divided into packets.
     pub const GRID_OF_PACKETS: Grid = Grid {
         columns: CELL[0] / PACKET[0],
         part: PACKET,
+        whole: false,
     };
 
     /// How many rays were made.
@@ -189,6 +222,30 @@ impl Tile {
         self.entered = 0;
         self.counts = Evaluations::default();
         self.outside = 0;
+        (self.missed, self.full) = (!0, 0);
+    }
+
+    /// The pixels of the picture in a cell.
+    fn pixels(&self, cell: usize) -> u64 {
+        let offset = Self::offset(cell * PACKETS_OF_CELL);
+        let [width, height] = [0, 1].map(|k| CELL[k].min(self.size[k].saturating_sub(offset[k])));
+        u64::from(width) * u64::from(height)
+    }
+
+    /// What is certain about the tile's area, in pixels.
+    pub fn area(&self) -> Area {
+        let mut area = Area::default();
+        for cell in 0..CELLS {
+            let sum = if self.full >> cell & 1 != 0 {
+                &mut area.hit
+            } else if self.missed >> cell & 1 != 0 {
+                &mut area.miss
+            } else {
+                &mut area.undecided
+            };
+            *sum += self.pixels(cell);
+        }
+        area
     }
 
     /// Makes the rays of a packet, unless they are there, with their entries into the domain.

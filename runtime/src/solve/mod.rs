@@ -20,6 +20,7 @@ pub(crate) use sharpen::{Second, WIDE};
 
 use refine::Refine;
 
+use crate::contract::middle;
 use crate::interval::{Interval, Packet};
 
 /// How to search.
@@ -61,6 +62,8 @@ pub(crate) struct Brackets<P: Packet> {
     pub rising: P::M,
     /// No other root lies before this; a search for the next goes on here.
     pub resume: P::F,
+    /// Where the root may be: floats converge from here.
+    pub guess: P::F,
 }
 
 impl<P: Packet> Brackets<P> {
@@ -74,6 +77,7 @@ impl<P: Packet> Brackets<P> {
             slope: t,
             rising: p.mask(0),
             resume: zero,
+            guess: zero,
         }
     }
 
@@ -93,12 +97,14 @@ impl<P: Packet> Brackets<P> {
         self.slope = select(p, which, slope, &self.slope);
         self.rising = p.or(p.and(which, rising), p.and_not(self.rising, which));
         self.resume = p.select(which, resume, self.resume);
+        self.guess = p.select(which, middle(p, t), self.guess);
     }
 
     /// Takes over the lanes of `which` from another set.
     #[inline(always)]
     pub fn join(&mut self, p: P, which: P::M, other: &Self) {
         self.put(p, which, &other.t, &other.slope, other.rising, other.resume);
+        self.guess = p.select(which, other.guess, self.guess);
     }
 }
 

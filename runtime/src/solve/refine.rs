@@ -43,7 +43,7 @@ fn refine<P: Packet>(
     let mut root = brackets.t;
     let found = brackets.found;
     let goal = goal(p, &root);
-    let mut x = middle(p, &root);
+    let mut x = brackets.guess;
     let mut slope = p.splat(f64::INFINITY);
     if plain_convergence {
         (x, slope) = converge(field, brackets, x);
@@ -87,8 +87,8 @@ fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F
     let p = field.p;
     let zero = p.splat(0.0);
     let Interval { mut lo, mut hi } = brackets.t;
-    // A step this short is squared by the next one, which has been made by then.
-    let close = p.mul_rn(hi, p.splat(1.0 / (1u64 << 28) as f64));
+    // What is left behind a step is in proportion to its square: a few ulp.
+    let close = p.mul_rn(hi, p.splat(1.0 / (1u64 << 26) as f64));
     let mut x = x;
     let mut slope = zero;
     let mut open = brackets.found;

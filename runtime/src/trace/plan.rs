@@ -9,6 +9,10 @@ pub(super) struct Plan {
     /// Bit k is set for packet k.
     pub open: u64,
     pub hints: [Hint; PACKETS],
+    /// Cells all of whose rays miss the surface, sampled or not, …
+    pub missed: u8,
+    /// … and all of whose rays hit it.
+    pub full: u8,
 }
 
 impl Plan {
@@ -17,6 +21,8 @@ impl Plan {
         Plan {
             open: !0,
             hints: [*hint; PACKETS],
+            missed: 0,
+            full: if hint.is_full() { !0 } else { 0 },
         }
     }
 
@@ -35,7 +41,7 @@ impl Plan {
         let mut look = |corner, grid: &Grid, live, known: &Hint| {
             let request = Request {
                 space,
-                corner: view.plane(corner),
+                corner: view.begin(corner, grid),
                 grid,
                 live,
                 known,
@@ -45,6 +51,8 @@ impl Plan {
         let cells = look(tile.corner, &Tile::GRID_OF_CELLS, tile.cells(), hint);
         for (cell, known) in cells.iter().enumerate().take(CELLS) {
             let first = cell * PACKETS_OF_CELL;
+            plan.missed |= u8::from(!known.open) << cell;
+            plan.full |= u8::from(known.is_full()) << cell;
             let packets = if !known.open {
                 continue;
             } else if known.single.is_some() {

@@ -39,6 +39,8 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
         {
             plan = Plan::survey(p, &mut over, beams.space, self.view, &self.hint, self.tile);
         }
+        self.tile.missed &= plan.missed;
+        self.tile.full |= plan.full;
         let mut trace = Packets::<S, C, P> {
             p,
             prepared: self.prepared,
@@ -82,6 +84,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
     fn packet(&mut self, number: usize, hint: &Hint) {
         let p = self.p;
         self.tile.enter(p, self.view, number);
+        let corner = self.tile.corner_of(number);
         let packet = &mut self.tile.packets[number];
         let (mut over, live) = segment(p, packet, self.own);
         let entry = p.lanes(packet.record.entry);
@@ -99,9 +102,12 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             active: &self.active,
             bound: &mut self.bound,
         });
-        let known = hint
-            .single
-            .map(|single| brackets(p, &single, entry, &over, live));
+        let known = hint.single.map(|single| {
+            let mut known = brackets(p, &single, entry, &over, live);
+            let start = p.sub_rn(self.view.linear(p, corner, &single.plane), entry);
+            known.guess = p.min_f(p.max_f(start, known.t.lo), known.t.hi);
+            known
+        });
         let single = known.as_ref().map_or(p.none(), |known| known.found);
         self.tile.counts.single += u64::from(p.bits(single).count_ones());
         let mut surface = OnRays {

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::DVec3;
-use zeroset::camera::{Camera, Ray};
+use zeroset::camera::{Camera, Ray, Sampling};
 use zeroset::interval::Isa;
 use zeroset::render::{Options, Progress, RenderError, all_roots, render};
 use zeroset::scene::{Scene, SceneError};
@@ -206,10 +206,61 @@ fn beams_change_no_verdict() {
 }
 
 #[test]
+fn certain_areas_bound_the_disc_of_a_ball() {
+    let (radius, size): (f64, u32) = (1.0, 400);
+    let degrees: f64 = 40.0;
+    let oblique =
+        Camera::orthographic(DVec3::new(1.0, 2.0, 3.0), DVec3::ZERO, DVec3::Y, 3.0).unwrap();
+    // A perspective view shows it as large as where its tangents from the eye meet the picture.
+    let apparent = radius / (16.0 - radius * radius).sqrt() / (0.5 * degrees).to_radians().tan();
+    for isa in Isa::available() {
+        for (camera, radius) in [(camera(), apparent), (oblique, radius / 1.5)] {
+            let mut options = Options::new(size, size);
+            options.isa = Some(isa);
+            for sampling in [Sampling::Centre, Sampling::Corner] {
+                options.sampling = sampling;
+                let picture = render(&Scene::new().with(ball(1.0)), &camera, &options).unwrap();
+                let area = picture.statistics().area;
+                let disc = std::f64::consts::PI * (0.5 * radius * f64::from(size)).powi(2);
+                let most = area.hit + area.undecided;
+                assert!(
+                    area.hit as f64 <= disc && disc <= most as f64,
+                    "{disc}: {area:?}"
+                );
+                let all = u64::from(size * size);
+                assert_eq!(most + area.miss, all);
+                assert!(10 * area.undecided < all, "{area:?}");
+            }
+            options.settings.beams = false;
+            let picture = render(&Scene::new().with(ball(1.0)), &camera, &options).unwrap();
+            assert_eq!(picture.statistics().area.undecided, u64::from(size * size));
+        }
+    }
+}
+
+#[test]
+fn a_box_that_cuts_leaves_its_edges_open() {
+    // The ball is larger than its box: rays through the box's outline may leave it before they meet the ball.
+    let cut = Ball {
+        radius: 1.5,
+        half: 1.0,
+    };
+    let front = Camera::orthographic(DVec3::Z * 4.0, DVec3::ZERO, DVec3::Y, 4.0).unwrap();
+    let picture = render(&Scene::new().with(cut), &front, &Options::new(160, 160)).unwrap();
+    let s = picture.statistics();
+    // Half the picture's height and width is the box, and the ball fills it but for its edges and corners.
+    assert!(
+        s.area.hit <= 80 * 80 && s.area.miss <= 160 * 160 - s.root,
+        "{s}"
+    );
+    assert!(s.area.undecided < 160 * 160 / 4, "{s}");
+}
+
+#[test]
 fn an_empty_scene_is_all_background() {
     let picture = render(&Scene::new(), &camera(), &Options::new(5, 3)).unwrap();
     let s = picture.statistics();
-    assert_eq!((s.miss, s.made), (15, 0));
+    assert_eq!((s.miss, s.made, s.area.miss), (15, 0, 15));
     let image = picture.image(&Shading::default());
     assert_eq!(image.dimensions(), (5, 3));
     assert!(image.pixels().all(|p| p == image.get_pixel(0, 0)));
