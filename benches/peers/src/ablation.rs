@@ -15,7 +15,9 @@ const CHANGES: [Change; 6] = [
     ("all on", |_| ()),
     ("no beams", |o| o.settings.beams = false),
     ("no closed forms", |o| o.settings.closed_forms = false),
-    ("no plain convergence", |o| o.settings.plain_convergence = false),
+    ("no plain convergence", |o| {
+        o.settings.plain_convergence = false
+    }),
     ("no normals", |o| o.normals = false),
     ("neither of these", |o| {
         o.settings.beams = false;
@@ -27,10 +29,15 @@ const CHANGES: [Change; 6] = [
 /// Times and counters, per ray of the picture.
 pub fn run(shapes: &[Shape], arguments: &Arguments) {
     println!("\n### What each skip saves, {SIZE}², one thread; counts per ray of the picture\n");
-    println!("| shape | | ms | by all on | rays made | beams | value | slope | curvature | point | float | fine | gradient | closed | single | root / miss / other |");
+    println!(
+        "| shape | | ms | by all on | rays made | beams | value | slope | curvature | point | float | fine | gradient | closed | single | root / miss / other |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     let pool = pool(1);
-    let view = View { size: SIZE, place: Place::Centre };
+    let view = View {
+        size: SIZE,
+        place: Place::Centre,
+    };
     for shape in shapes {
         let picture = |change: fn(&mut Options)| {
             let mut options = view.options();
@@ -60,8 +67,23 @@ pub fn run(shapes: &[Shape], arguments: &Arguments) {
 fn counts(s: &Statistics) -> String {
     let e = &s.evaluations;
     let kinds = [
-        s.made, e.beams, e.value, e.slope, e.curvature, e.point, e.float, e.fine, e.gradient, e.closed, e.single,
+        s.made,
+        e.beams,
+        e.value,
+        e.slope,
+        e.curvature,
+        e.point,
+        e.float,
+        e.fine,
+        e.gradient,
+        e.closed,
+        e.single,
     ];
     let kinds = kinds.map(|n| digits(n as f64 / s.rays as f64)).join(" | ");
-    format!("{kinds} | {} / {} / {}", s.root, s.miss, s.rays - s.root - s.miss)
+    format!(
+        "{kinds} | {} / {} / {}",
+        s.root,
+        s.miss,
+        s.rays - s.root - s.miss
+    )
 }

@@ -14,14 +14,18 @@ pub fn run(arguments: &Arguments) {
     pixels(arguments.largest.clamp(256, 4096), runs);
     let most = arguments.terms.clamp(8, 4096);
     let counts: Vec<usize> = (3..=12).map(|k| 1 << k).filter(|n| *n <= most).collect();
-    terms("exponentials", &counts, runs, |n| shapes::exponentials(terms_of(n)));
+    terms("exponentials", &counts, runs, |n| {
+        shapes::exponentials(terms_of(n))
+    });
     terms("spheres", &counts, runs, |n| shapes::spheres(spheres_of(n)));
     threads(runs);
 }
 
 fn chosen() -> Vec<Shape> {
     let mut shapes = shapes::all();
-    shapes.retain(|s| ["sphere", "Barth sextic", "8 exponentials", "64 spheres"].contains(&s.name.as_str()));
+    shapes.retain(|s| {
+        ["sphere", "Barth sextic", "8 exponentials", "64 spheres"].contains(&s.name.as_str())
+    });
     shapes
 }
 
@@ -30,32 +34,49 @@ fn pixels(largest: u32, runs: usize) {
     let sizes: Vec<u32> = (8..=12).map(|k| 1 << k).filter(|n| *n <= largest).collect();
     println!("\n### Growth: ns per pixel, one thread\n");
     let columns: Vec<String> = sizes.iter().map(|n| format!("{n}²")).collect();
-    println!("| shape | {} |\n|---|{}", columns.join(" | "), "---|".repeat(sizes.len()));
+    println!(
+        "| shape | {} |\n|---|{}",
+        columns.join(" | "),
+        "---|".repeat(sizes.len())
+    );
     let pool = pool(1);
     for shape in chosen() {
         let (shape, pool) = (&shape, &pool);
         let mut contenders: Vec<Contender> = sizes
             .iter()
             .map(|&size| -> Contender {
-                let view = View { size, place: Place::Centre };
+                let view = View {
+                    size,
+                    place: Place::Centre,
+                };
                 Box::new(move || timed(1, || pool.install(|| view.render(&shape.scene))))
             })
             .collect();
         let times = interleave(runs, &mut contenders);
         let cells = sizes.iter().zip(times).map(|(&n, time)| {
             let scale = 1e9 / (f64::from(n) * f64::from(n));
-            let [median, least, most] = [time.median, time.least, time.most].map(|t| digits(scale * t));
+            let [median, least, most] =
+                [time.median, time.least, time.most].map(|t| digits(scale * t));
             format!("{median} ({least} … {most})")
         });
-        println!("| {} | {} |", shape.name, cells.collect::<Vec<_>>().join(" | "));
+        println!(
+            "| {} | {} |",
+            shape.name,
+            cells.collect::<Vec<_>>().join(" | ")
+        );
     }
 }
 
 /// Milliseconds against the number of terms, beside what a linear law would give from the first on.
 fn terms(what: &str, counts: &[usize], runs: usize, make: impl Fn(usize) -> Shape) {
     println!("\n### Growth: {what}, {SIZE}², one thread\n");
-    println!("| {what} | ms | time by the first | number by the first | exponent since the row above | hit, % |\n|---|---|---|---|---|---|");
-    let view = View { size: SIZE, place: Place::Centre };
+    println!(
+        "| {what} | ms | time by the first | number by the first | exponent since the row above | hit, % |\n|---|---|---|---|---|---|"
+    );
+    let view = View {
+        size: SIZE,
+        place: Place::Centre,
+    };
     let pool = pool(1);
     let shapes: Vec<Shape> = counts.iter().map(|&n| make(n)).collect();
     let mut contenders: Vec<Contender> = shapes
@@ -75,7 +96,8 @@ fn terms(what: &str, counts: &[usize], runs: usize, make: impl Fn(usize) -> Shap
             time.cell(),
             digits(time.median / times[0].median),
             n / counts[0],
-            k.checked_sub(1).map_or("—".to_owned(), |above| exponent(&times[above])),
+            k.checked_sub(1)
+                .map_or("—".to_owned(), |above| exponent(&times[above])),
             100.0 * statistics.root as f64 / statistics.rays as f64
         );
     }
@@ -84,8 +106,13 @@ fn terms(what: &str, counts: &[usize], runs: usize, make: impl Fn(usize) -> Shap
 /// Two threads beside one, by the clock on the wall.
 fn threads(runs: usize) {
     println!("\n### Two threads against one, {SIZE}², ms by the clock on the wall\n");
-    println!("| shape | one | two | quotient of the medians | of the least |\n|---|---|---|---|---|");
-    let view = View { size: SIZE, place: Place::Centre };
+    println!(
+        "| shape | one | two | quotient of the medians | of the least |\n|---|---|---|---|---|"
+    );
+    let view = View {
+        size: SIZE,
+        place: Place::Centre,
+    };
     let pools = [pool(1), pool(2)];
     for shape in chosen() {
         let shape = &shape;
@@ -112,7 +139,9 @@ fn threads(runs: usize) {
 fn random() -> impl FnMut() -> f64 {
     let mut state = 1u64;
     move || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (state >> 52) as f64 / 4096.0
     }
 }

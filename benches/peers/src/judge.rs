@@ -33,7 +33,11 @@ impl Judgement {
     /// Wrong pixels: all, and what they are.
     pub fn wrong_cell(&self) -> String {
         let mut cell = self.wrong().to_string();
-        let kinds = [(self.lost, "lost"), (self.invented, "invented"), (self.sheet, "wrong sheet")];
+        let kinds = [
+            (self.lost, "lost"),
+            (self.invented, "invented"),
+            (self.sheet, "wrong sheet"),
+        ];
         let kinds: Vec<String> = kinds
             .iter()
             .filter(|k| k.0 > 0)
@@ -49,7 +53,11 @@ impl Judgement {
     pub fn error_cell(&self) -> String {
         match self.errors.last() {
             Some(&largest) => {
-                format!("{} / {}", digits(self.errors[self.errors.len() / 2]), digits(largest))
+                format!(
+                    "{} / {}",
+                    digits(self.errors[self.errors.len() / 2]),
+                    digits(largest)
+                )
             }
             None => "—".to_owned(),
         }
@@ -83,7 +91,10 @@ impl<'a> Sampled<'a> {
     /// By a march over each ray.
     pub fn new(shape: &'a Shape, view: View, rays: u32) -> Self {
         let look = |[i, j]: [u32; 2]| {
-            ([i, j], truth::first(&*shape.at, view.ray(i, j), truth::STEPS))
+            (
+                [i, j],
+                truth::first(&*shape.at, view.ray(i, j), truth::STEPS),
+            )
         };
         let rays = view.sample(rays).into_par_iter().map(look).collect();
         Sampled { shape, view, rays }
@@ -96,7 +107,12 @@ impl<'a> Sampled<'a> {
         let (shape, view) = (self.shape, self.view);
         self.rays.par_iter_mut().for_each(|(pixel, truth)| {
             let mut one = Judgement::default();
-            one.add(*pixel, shown(pixel[0], pixel[1]), *truth, 2.0 / f64::from(size));
+            one.add(
+                *pixel,
+                shown(pixel[0], pixel[1]),
+                *truth,
+                2.0 / f64::from(size),
+            );
             if one.wrong() > 0 {
                 *truth = truth::first(&*shape.at, view.ray(pixel[0], pixel[1]), 64 * truth::STEPS);
             }

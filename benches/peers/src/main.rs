@@ -61,8 +61,14 @@ enum Section {
 
 fn main() {
     let arguments = Arguments::parse();
-    if let Some(bad) = arguments.size.iter().find(|n| !n.is_power_of_two() || **n < 8) {
-        eprintln!("a picture of {bad} pixels: give a power of two from 8, so that both peers see the same rays");
+    if let Some(bad) = arguments
+        .size
+        .iter()
+        .find(|n| !n.is_power_of_two() || **n < 8)
+    {
+        eprintln!(
+            "a picture of {bad} pixels: give a power of two from 8, so that both peers see the same rays"
+        );
         std::process::exit(2);
     }
     let wanted = |s| arguments.section.is_empty() || arguments.section.contains(&s);

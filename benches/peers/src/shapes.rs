@@ -63,7 +63,7 @@ implicit! {
 
 implicit! {
     struct Spheres { rows: [[f64; 4]] }
-    min([cx, cy, cz, r] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 - r^2 } = 0
+    min([cx, cy, cz, r] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 - r^2 }
 }
 
 implicit! {
@@ -90,7 +90,10 @@ pub fn all() -> Vec<Shape> {
 /// The rows of a table of the data.
 pub fn rows<const N: usize>(table: &str) -> Vec<[f64; N]> {
     let text = include_str!("../data/shapes.txt");
-    let lines = text.lines().skip_while(|l| *l != format!("[{table}]")).skip(1);
+    let lines = text
+        .lines()
+        .skip_while(|l| *l != format!("[{table}]"))
+        .skip(1);
     let rows: Vec<[f64; N]> = lines
         .take_while(|l| !l.starts_with('['))
         .filter(|l| !l.is_empty())
@@ -126,9 +129,18 @@ fn shape<S: Surface + 'static>(
 }
 
 impl Shape {
-    fn with_isosurface(mut self, formula: impl Into<String>, gradient: f64, ball: Option<f64>) -> Self {
+    fn with_isosurface(
+        mut self,
+        formula: impl Into<String>,
+        gradient: f64,
+        ball: Option<f64>,
+    ) -> Self {
         let formula = formula.into();
-        self.isosurface = Some(Isosurface { formula, gradient, ball });
+        self.isosurface = Some(Isosurface {
+            formula,
+            gradient,
+            ball,
+        });
         self
     }
 }
@@ -144,8 +156,11 @@ fn norm2(p: [f64; 3]) -> f64 {
 }
 
 fn sphere() -> Shape {
-    shape("sphere", Sphere, ball(0.64), |p| norm2(p) - 0.64)
-        .with_isosurface("x*x + y*y + z*z - 0.64", 4.0, None)
+    shape("sphere", Sphere, ball(0.64), |p| norm2(p) - 0.64).with_isosurface(
+        "x*x + y*y + z*z - 0.64",
+        4.0,
+        None,
+    )
 }
 
 fn torus() -> Shape {

@@ -30,9 +30,13 @@ fn zeroset_shows_the_truth() {
 
 #[test]
 fn fidget_is_right_within_a_voxel_where_the_shape_is_thick() {
-    let view = View { size: SIZE, place: Place::Corner };
+    let view = View {
+        size: SIZE,
+        place: Place::Corner,
+    };
     for shape in shapes::all() {
-        let jit = versus_fidget::picture(&Shape::<JitFunction>::from(shape.tree.clone()), SIZE, None);
+        let jit =
+            versus_fidget::picture(&Shape::<JitFunction>::from(shape.tree.clone()), SIZE, None);
         let vm = versus_fidget::picture(&Shape::<VmFunction>::from(shape.tree.clone()), SIZE, None);
         let sampled = Sampled::new(&shape, view, 400);
         for picture in [jit, vm] {
@@ -43,7 +47,12 @@ fn fidget_is_right_within_a_voxel_where_the_shape_is_thick() {
             }
             // What is lost by a shell far thinner than a voxel is what the judge is there to see.
             let lost = judged.lost as f64 / judged.rays as f64;
-            assert_eq!(lost > 0.1, shape.name.starts_with("shell"), "{}: {judged:?}", shape.name);
+            assert_eq!(
+                lost > 0.1,
+                shape.name.starts_with("shell"),
+                "{}: {judged:?}",
+                shape.name
+            );
         }
     }
 }
@@ -51,7 +60,10 @@ fn fidget_is_right_within_a_voxel_where_the_shape_is_thick() {
 #[test]
 fn a_wrong_picture_is_found_wrong() {
     let shapes = shapes::all();
-    let view = View { size: SIZE, place: Place::Corner };
+    let view = View {
+        size: SIZE,
+        place: Place::Corner,
+    };
     let sampled = Sampled::new(&shapes[0], view, 400);
     let hits = sampled.rays.iter().filter(|r| r.1.is_some()).count();
     let blank = sampled.judge(|_, _| Shown::Miss);

@@ -34,7 +34,10 @@ pub fn digits(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_owned(),
         1e-99..1e-3 => format!("{x:.1e}"),
-        a => format!("{x:.*}", (2 - a.log10().floor() as i32).clamp(0, 5) as usize),
+        a => format!(
+            "{x:.*}",
+            (2 - a.log10().floor() as i32).clamp(0, 5) as usize
+        ),
     }
 }
 
@@ -80,8 +83,17 @@ pub fn pool(threads: usize) -> rayon::ThreadPool {
 pub fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let field = |name: &str| {
-        let line = text.lines().find(|l| l.split(':').next().map(str::trim) == Some(name));
-        line.and_then(|l| l.split(':').nth(1)).map_or("?", str::trim).to_owned()
+        let line = text
+            .lines()
+            .find(|l| l.split(':').next().map(str::trim) == Some(name));
+        line.and_then(|l| l.split(':').nth(1))
+            .map_or("?", str::trim)
+            .to_owned()
     };
-    format!("{}, family {}, model {}", field("model name"), field("cpu family"), field("model"))
+    format!(
+        "{}, family {}, model {}",
+        field("model name"),
+        field("cpu family"),
+        field("model")
+    )
 }

@@ -44,7 +44,9 @@ pub fn shown(picture: &Image, i: u32, j: u32) -> Shown {
 pub fn run(shapes: &[Shape], arguments: &Arguments) {
     for &size in &arguments.size {
         println!("\n### Beside fidget, {size}²\n");
-        println!("| shape | threads | fidget, ms | evaluator | zeroset, ms | ratio |\n|---|---|---|---|---|---|");
+        println!(
+            "| shape | threads | fidget, ms | evaluator | zeroset, ms | ratio |\n|---|---|---|---|---|---|"
+        );
         let mut ratios = vec![Vec::new(); arguments.threads.len()];
         for shape in shapes {
             for (&threads, ratios) in arguments.threads.iter().zip(&mut ratios) {
@@ -53,10 +55,17 @@ pub fn run(shapes: &[Shape], arguments: &Arguments) {
         }
         for (threads, ratios) in arguments.threads.iter().zip(&ratios) {
             let mean = ratios.iter().map(|r: &f64| r.ln()).sum::<f64>() / ratios.len() as f64;
-            println!("| **geometric mean** | {threads} | | | | **{}** |", digits(mean.exp()));
+            println!(
+                "| **geometric mean** | {threads} | | | | **{}** |",
+                digits(mean.exp())
+            );
         }
-        println!("\nWrong pixels and errors of depth (median / largest), against a march in plain f64 by hand:\n");
-        println!("| shape | rays | that hit | fidget wrong | fidget error | zeroset wrong | open | zeroset error | certified width, whole picture |");
+        println!(
+            "\nWrong pixels and errors of depth (median / largest), against a march in plain f64 by hand:\n"
+        );
+        println!(
+            "| shape | rays | that hit | fidget wrong | fidget error | zeroset wrong | open | zeroset error | certified width, whole picture |"
+        );
         println!("|---|---|---|---|---|---|---|---|---|");
         for shape in shapes {
             compare(shape, size, arguments.rays);
@@ -70,7 +79,10 @@ fn measure(shape: &Shape, size: u32, threads: usize, runs: usize) -> f64 {
     let vm = fidget::shape::Shape::<VmFunction>::from(shape.tree.clone());
     let theirs = (threads > 1).then(|| ThreadPool::Custom(pool(threads)));
     let ours = pool(threads);
-    let view = View { size, place: Place::Corner };
+    let view = View {
+        size,
+        place: Place::Corner,
+    };
     let by_jit = || timed(threads, || picture(&jit, size, theirs.as_ref()));
     let by_vm = || timed(threads, || picture(&vm, size, theirs.as_ref()));
     // An evaluator that is far behind need not run on.
@@ -82,9 +94,11 @@ fn measure(shape: &Shape, size: u32, threads: usize, runs: usize) -> f64 {
         Box::new(by_vm),
     ];
     if once_jit > once_vm * 2 {
-        (names.remove(1), contenders.remove(1));
+        names.remove(1);
+        drop(contenders.remove(1));
     } else if once_vm > once_jit * 2 {
-        (names.pop(), contenders.pop());
+        names.truncate(2);
+        contenders.truncate(2);
     }
     let times = interleave(runs, &mut contenders);
     let zeroset = times[0];
@@ -106,7 +120,10 @@ fn measure(shape: &Shape, size: u32, threads: usize, runs: usize) -> f64 {
 
 /// One row of errors.
 fn compare(shape: &Shape, size: u32, rays: u32) {
-    let view = View { size, place: Place::Corner };
+    let view = View {
+        size,
+        place: Place::Corner,
+    };
     let ours = view.render(&shape.scene);
     let jit = fidget::shape::Shape::<JitFunction>::from(shape.tree.clone());
     let theirs = picture(&jit, size, Some(&ThreadPool::Global));
@@ -136,6 +153,9 @@ fn compare(shape: &Shape, size: u32, rays: u32) {
         digits(widest),
     );
     if zeroset.wrong() > 0 {
-        println!("\nzeroset is wrong, first of all at {:?} of {}\n", zeroset.examples, shape.name);
+        println!(
+            "\nzeroset is wrong, first of all at {:?} of {}\n",
+            zeroset.examples, shape.name
+        );
     }
 }

@@ -31,7 +31,9 @@ pub fn run(shapes: &[Shape], arguments: &Arguments) {
         return;
     }
     println!("\n### Beside POV-Ray, {SIZE}², one thread\n");
-    println!("| shape | POV-Ray, ms | zeroset, ms | ratio | POV-Ray wrong | POV-Ray error | zeroset wrong | zeroset error |");
+    println!(
+        "| shape | POV-Ray, ms | zeroset, ms | ratio | POV-Ray wrong | POV-Ray error | zeroset wrong | zeroset error |"
+    );
     println!("|---|---|---|---|---|---|---|---|");
     let folder = std::env::temp_dir().join(format!("zeroset-bench-peers-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a temporary folder");
@@ -39,7 +41,9 @@ pub fn run(shapes: &[Shape], arguments: &Arguments) {
     for shape in shapes {
         if let Some(isosurface) = &shape.isosurface {
             match measure(shape, isosurface, &folder, arguments) {
-                Ok(complaint) => complaints.extend(complaint.map(|c| format!("{}: {c}", shape.name))),
+                Ok(complaint) => {
+                    complaints.extend(complaint.map(|c| format!("{}: {c}", shape.name)))
+                }
                 Err(error) => println!("\nSKIPPED povray, {}: {error}\n", shape.name),
             }
         }
@@ -57,7 +61,10 @@ fn measure(
     folder: &Path,
     arguments: &Arguments,
 ) -> Result<Option<String>, String> {
-    let view = View { size: SIZE, place: PLACE };
+    let view = View {
+        size: SIZE,
+        place: PLACE,
+    };
     let (mut theirs, mut ours) = (Vec::new(), Vec::new());
     let pool = pool(1);
     let mut last = trace(isosurface, folder)?;
@@ -89,7 +96,13 @@ fn measure(
 }
 
 /// Its coordinates are left-handed: it looks along +z from z = −3, and z is turned round.
-fn scene(Isosurface { formula, gradient, ball }: &Isosurface) -> String {
+fn scene(
+    Isosurface {
+        formula,
+        gradient,
+        ball,
+    }: &Isosurface,
+) -> String {
     let container = match ball {
         Some(radius) => format!("sphere {{ 0, {radius} }}"),
         None => "box { -1, 1 }".to_owned(),
@@ -140,13 +153,19 @@ fn trace(isosurface: &Isosurface, folder: &Path) -> Result<Picture, String> {
 fn processor_time(report: &str) -> Option<Duration> {
     let behind = &report[report.find("Trace Time:")?..];
     let words: Vec<&str> = behind.split_whitespace().collect();
-    let number = words.iter().position(|w| *w == "CPU-seconds")?.checked_sub(1)?;
+    let number = words
+        .iter()
+        .position(|w| *w == "CPU-seconds")?
+        .checked_sub(1)?;
     Some(Duration::from_secs_f64(words[number].parse().ok()?))
 }
 
 fn complaint(report: &str) -> Option<String> {
     let start = report.find("The maximum gradient found was")?;
-    let sentence: String = report[start..].split_whitespace().collect::<Vec<_>>().join(" ");
+    let sentence: String = report[start..]
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
     Some(sentence.split(". ").next()?.to_owned())
 }
 

@@ -49,7 +49,8 @@ impl View {
             Place::Centre => 0.0,
         };
         let at = DVec3::new(0.0, shift, 0.0);
-        Camera::orthographic(at + 3.0 * DVec3::Z, at, DVec3::Y, 2.0).expect("a camera along the z axis")
+        Camera::orthographic(at + 3.0 * DVec3::Z, at, DVec3::Y, 2.0)
+            .expect("a camera along the z axis")
     }
 
     pub fn options(&self) -> Options<'static> {
