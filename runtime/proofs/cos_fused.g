@@ -21,7 +21,7 @@ c1 = rnd(z * c2 + C1);
 c0 = rnd(z * c1 + C0);
 # (1 - w) - h is exact, for w is a rounding of 1 - h.
 rest = (1 - w) - h;
-e = rnd(rest - rnd(r * rl));
+e = rnd(rest - r * rl);
 d = rnd(u * c0 + e);
 
 # The same without rounding.
@@ -36,7 +36,7 @@ sum = w + d;
 dd = (zz * zz) * m0 + (rest - r * rl);
 
 # 0.33 * 2^-53 > 3.6e-17
-{ r in [0, 0.7855] /\ |rl| <= 1b-54 -> |sum - ideal| <= 3.6e-17 }
+{ r in [0, 0.7855] /\ |rl| <= 5.8e-17 -> |sum - ideal| <= 3.6e-17 }
 
 # w + rest = 1 - h.
 sum - ideal -> (d - dd) - 0.5 * (z - zz);

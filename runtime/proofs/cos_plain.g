@@ -36,7 +36,7 @@ sum = w + d;
 dd = (zz * zz) * m0 + (rest - r * rl);
 
 # 0.33 * 2^-53 > 3.6e-17
-{ r in [0, 0.7855] /\ |rl| <= 1b-54 -> |sum - ideal| <= 3.6e-17 }
+{ r in [0, 0.7855] /\ |rl| <= 5.8e-17 -> |sum - ideal| <= 3.6e-17 }
 
 # w + rest = 1 - h.
 sum - ideal -> (d - dd) - 0.5 * (z - zz);

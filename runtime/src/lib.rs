@@ -31,6 +31,7 @@
 //!   [what the errors say](guide::reading_the_errors). [What is proved](guide::what_is_proved), and what would notice.
 //! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
+//!   [`enclosure`]: forms that enclose f over a piece of a ray.
 //! - [`interval`]: intervals, packets, back-ends, for those who want to look below.
 //!
 //! Generated code is compiled in your crate: without optimisation it is far slower. Put `opt-level = 1` under
@@ -43,6 +44,7 @@ pub mod beam;
 pub mod camera;
 pub mod certificate;
 pub mod contract;
+pub mod enclosure;
 pub mod guide;
 pub mod interval;
 pub mod language;

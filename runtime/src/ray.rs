@@ -36,7 +36,8 @@ impl Lines {
 }
 
 /// Where rays are inside a box: `near` is a lower bound of the first parameter t ≥ 0, `far` an upper bound of the last.
-/// `far < near` where the ray certainly misses the box.
+/// `far < near` where the ray certainly misses the box. Otherwise both ends are 2⁻⁴⁴ of the way between them further out:
+/// a root on a face is then a root like any other.
 #[derive(Clone, Copy)]
 pub(crate) struct Span<P: Packet> {
     pub near: P::F,
@@ -75,7 +76,12 @@ pub(crate) fn clip<P: Packet>(p: P, lines: &Lines, domain: &[[f64; 3]; 2]) -> Sp
         far = p.min_f(far, leaves);
         axis += 1;
     }
-    Span { near, far }
+    // What lies on a face has a certain sign on both of its sides.
+    let slack = p.mul_rn(p.sub_rn(far, near), p.splat(1.0 / (1u64 << 44) as f64));
+    Span {
+        near: p.max_f(p.sub_rd(near, slack), zero),
+        far: p.add_ru(far, slack),
+    }
 }
 
 impl<P: Packet> Rays<P> {

@@ -1,17 +1,20 @@
 """The surfaces, once more: each by its own formula in plain Python, over any ring that x, y and z come from."""
 
+import functools
 import math
 from fractions import Fraction
 
 from flint import arb, arb_series, fmpq
 
 
+@functools.cache
 def rational(x):
     """The exact value of a float, in a ring where both fit."""
     n, d = float(x).as_integer_ratio()
     return fmpq(n, d)
 
 
+@functools.cache
 def decimal(text):
     """The number that is spelt."""
     x = Fraction(text)
@@ -182,8 +185,8 @@ def schwarz_d(x, y, z):
 def exponentials(x, y, z):
     level = arb(decimal("0.5"))
     for a, b, c, s in BLOBS:
-        dx, dy, dz = x - arb(rational(a)), y - arb(rational(b)), z - arb(rational(c))
-        level = level - exp(-arb(rational(s)) * (dx * dx + dy * dy + dz * dz))
+        dx, dy, dz = x - a, y - b, z - c
+        level = level - exp((dx * dx + dy * dy + dz * dz) * -s)
     return level
 
 
@@ -196,6 +199,7 @@ BLOBS = [
     (0.5, -0.25, -0.125, 8.0),
     (-0.375, -0.375, -0.25, 12.5),
 ]
+BLOBS = [[arb(rational(x)) for x in row] for row in BLOBS]
 
 
 def shell(thickness):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The zoo's oracle: true roots along rays, by exact polynomials or ball arithmetic at 200 bits (python-flint).
 
-    oracle.py all COUNT SEED               all of it, for each surface: a table; builds the tracer with Cargo
+    oracle.py all COUNT SEED [SURFACE ...] all of it, for each surface or those named: a table; builds the tracer with
+                                           Cargo; interrupted, it judges what it has
     oracle.py rays SURFACE COUNT SEED      writes rays: random ones, a twentieth each tangent and special
     oracle.py judge [--table] < ANSWERS    compares answers with the truth; exits with 1 if one is wrong
     oracle.py fixture SURFACE COUNT SEED   writes rays with their true roots, for a test that runs without this script
@@ -24,6 +25,7 @@ import contextlib  # noqa: E402
 import io  # noqa: E402
 import multiprocessing  # noqa: E402
 import pathlib  # noqa: E402
+import signal  # noqa: E402
 import subprocess  # noqa: E402
 
 import rays  # noqa: E402
@@ -34,8 +36,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TRACE = ["cargo", "run", "--quiet", "--release", "-p", "zeroset-zoo"]
 
 
+# Rays that are traced and judged at a time.
+SHARE = 1000
+
+
 def one(job):
-    """Rays, answers and judgement for one surface."""
+    """Rays, answers and judgement for a share of one surface's rays."""
     name, count, seed = job
     text = io.StringIO()
     with contextlib.redirect_stdout(text):
@@ -44,22 +50,28 @@ def one(job):
     return verdicts.tallies(answers.stdout.splitlines())
 
 
-def everything(count, seed):
+def everything(count, seed, names):
     subprocess.run([*TRACE, "--", "names"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    with multiprocessing.Pool() as pool:
-        found = pool.map(one, [(name, count, seed) for name in ZOO], chunksize=1)
-    return verdicts.report([tally for list_ in found for tally in list_], table=True)
+    shares = [(start, min(SHARE, count - start)) for start in range(0, count, SHARE)]
+    jobs = [(name, size, f"{seed} {start}") for start, size in shares for name in names]
+    found = {name: verdicts.Tally(name) for name in names}
+    with multiprocessing.Pool(initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)) as pool:
+        with contextlib.suppress(KeyboardInterrupt):
+            for tallies in pool.imap_unordered(one, jobs):
+                for tally in tallies:
+                    found[tally.name].join(tally)
+    return verdicts.report([tally for tally in found.values() if tally.rays], table=True)
 
 
 def main(arguments):
     match arguments:
-        case ["all", count, seed]:
-            return everything(int(count), int(seed))
+        case ["all", count, seed, *names] if set(names) <= set(ZOO):
+            return everything(int(count), seed, names or list(ZOO))
         case ["rays", name, count, seed]:
-            rays.write(name, int(count), int(seed))
+            rays.write(name, int(count), seed)
             return 0
         case ["fixture", name, count, seed]:
-            rays.fixture(name, int(count), int(seed))
+            rays.fixture(name, int(count), seed)
             return 0
         case ["judge"]:
             return verdicts.report(verdicts.tallies(sys.stdin), table=False)

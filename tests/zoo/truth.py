@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from flint import arb, arb_series, fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, arb_series, ctx, fmpq, fmpq_poly
 
 # A piece that is still undecided after so many halvings of the segment is left undecided.
 DEPTH = 70
@@ -81,13 +81,22 @@ def exact(shape, start, direction):
     coefficients = [abs(float(Fraction(int(c.p), int(c.q)))) for c in f.coeffs()]
     least = float("inf")
     if slope.degree() > 0:
-        for at, _ in slope.complex_roots():
+        for at in critical(slope):
             # A pair of roots next to the line has its critical point on it, or nearly.
             if abs(at.imag) < abs(at.real) * arb(1e-6) + arb(1e-6):
                 height = abs(horner(f, at.real))
                 if not any(at.real.overlaps(r.at) for r in found):
                     least = min(least, float(height.mid()))
     return Truth(found, scale=max(coefficients), least=least)
+
+
+def critical(slope):
+    """The zeros of f': for the scale of a ray alone, so that balls of coefficients do, unless zeros coincide."""
+    try:
+        with ctx.workprec(64):
+            return acb_poly([acb(arb(c)) for c in slope.coeffs()]).roots(tol=1e-8, maxprec=400)
+    except ValueError:
+        return [at for at, _ in slope.complex_roots()]
 
 
 def horner(polynomial, x):
@@ -98,19 +107,23 @@ def horner(polynomial, x):
 
 
 class Curve:
+    """f along a ray; parameters and the ends of pieces are balls of radius 0, that is, exact dyadic numbers."""
+
     def __init__(self, shape, start, direction):
-        self.f, self.start, self.direction = shape.f, start, direction
+        self.f = shape.f
+        self.lines = [(ball(p), ball(d)) for p, d in zip(start, direction)]
 
     def jet(self, t):
-        x, y, z = (arb_series([ball(p) + ball(d) * t, ball(d)], prec=3) for p, d in zip(self.start, self.direction))
+        x, y, z = (arb_series([p + d * t, d], prec=3) for p, d in self.lines)
         f = self.f(x, y, z)
         return f[0], f[1], 2 * f[2]
 
     def over(self, lo, hi):
-        t = ball(lo).union(ball(hi))
-        f, slope, bend = self.jet(t)
-        middle = (lo + hi) / 2
-        centred = self.jet(ball(middle))[0] + slope * (t - ball(middle))
+        f, slope, bend = self.jet(lo.union(hi))
+        if sign(f):
+            return f, slope, bend
+        middle = between(lo, hi, 1 / 2)
+        centred = self.jet(middle)[0] + slope * (lo.union(hi) - middle)
         return (f if not centred.is_finite() or not f.overlaps(centred) else f.intersection(centred)), slope, bend
 
 
@@ -118,65 +131,68 @@ def sign(f):
     return 1 if f > 0 else -1 if f < 0 else 0
 
 
+def between(lo, hi, share):
+    """A number between two exact ones, about this share of the way."""
+    return (lo + (hi - lo) * share).mid()
+
+
 def enclosed(shape, start, direction, lo, hi):
     curve = Curve(shape, start, direction)
     roots, undecided = [], []
     # Beyond the faces by little: the library's box is the cube, rounded outward.
     margin = (hi - lo) / 10**9
-    stack = [(lo - margin, hi + margin, DEPTH)]
+    stack = [(ball(lo - margin).mid(), ball(hi + margin).mid(), DEPTH)]
     least = float("inf")
-    scale = 0.0
+    places = [between(ball(lo), ball(hi), k / 16) for k in range(17)]
+    scale = max(min(float(abs(f).upper()), 1e300) for f in (curve.jet(t)[0] for t in places) if f.is_finite())
     steps = 0
     while stack:
         a, b, depth = stack.pop()
         steps += 1
         f, slope, bend = curve.over(a, b)
-        if depth == DEPTH or steps < 16:
-            top = abs(f).upper()
-            scale = max(scale, min(float(top), 1e300)) if top.is_finite() else scale
         if sign(f):
             if steps < 200 and not sign(slope):
                 least = min(least, float(abs(f).lower()))
             continue
-        ends = [sign(curve.jet(ball(e))[0]) for e in (a, b)]
-        if sign(slope) and ends[0] and ends[1]:
-            if ends[0] != ends[1]:
-                roots.append(tighten(curve, a, b, ends[0]))
-            continue
+        if sign(slope):
+            ends = [sign(curve.jet(e)[0]) for e in (a, b)]
+            if ends[0] and ends[1]:
+                if ends[0] != ends[1]:
+                    roots.append(tighten(curve, a, b, ends[0]))
+                continue
         if depth == 0 or steps > 4000:
-            undecided.append((a, b))
+            undecided.append((fraction(a), fraction(b)))
             continue
-        middle = split(a, b)
+        # Not quite the middle, where surfaces like to be.
+        middle = between(a, b, 509 / 1024)
         stack += [(middle, b, depth - 1), (a, middle, depth - 1)]
     return Truth(roots, join(undecided), scale=scale or 1.0, least=least)
 
 
-def split(a, b):
-    """Not quite the middle, where surfaces like to be."""
-    return a + (b - a) * Fraction(509, 1024)
-
-
 def tighten(curve, a, b, before):
-    while b - a > Fraction(1, 2**110) * max(1, abs(a)):
-        m = (a + b) / 2
-        s = sign(curve.jet(ball(m))[0])
+    """Halves, and images of Newton once the piece is small, until it is 2^-110 wide."""
+    while b - a > arb(2) ** -110 * max(1.0, abs(float(a))):
+        if b - a < arb(2) ** -10:
+            a, b, narrower = newton(curve, a, b)
+            if narrower:
+                continue
+        m = between(a, b, 1 / 2)
+        s = sign(curve.jet(m)[0])
         if s == 0:
             break
         a, b = (m, b) if s == before else (a, m)
-        if b - a < Fraction(1, 2**20):
-            a, b = newton(curve, a, b, before)
-    return Root(ball(a).union(ball(b)), 1, abs(curve.jet(ball((a + b) / 2))[1]))
+    return Root(a.union(b), 1, abs(curve.jet(between(a, b, 1 / 2))[1]))
 
 
-def newton(curve, a, b, before):
-    """One step of interval Newton; what comes out holds the root."""
-    m = (a + b) / 2
-    slope = curve.over(a, b)[1]
+def newton(curve, a, b):
+    """One image of Newton; what comes out holds the root. Is it less than half as wide?"""
+    m = between(a, b, 1 / 2)
+    slope = curve.jet(a.union(b))[1]
     if not sign(slope):
-        return a, b
-    image = ball(m) - curve.jet(ball(m))[0] / slope
-    lo, hi = (fraction(e) for e in (image.lower(), image.upper()))
-    return (max(a, lo), min(b, hi)) if max(a, lo) <= min(b, hi) else (a, b)
+        return a, b, False
+    image = m - curve.jet(m)[0] / slope
+    lo, hi = max(a, image.lower().mid()), min(b, image.upper().mid())
+    return (lo, hi, 2 * (hi - lo) < b - a) if lo <= hi else (a, b, False)
 
 
 def fraction(x):

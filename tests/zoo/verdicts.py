@@ -18,26 +18,42 @@ KINDS = ("root", "tangent", "crossing", "open")
 class Tally:
     def __init__(self, name):
         self.name = name
-        self.rays = self.undecided = self.easy = self.hard_answers = self.easy_open = 0
+        self.rays = self.undecided = self.easy = self.easy_open = 0
         self.true_roots = 0
         self.counts = dict.fromkeys(KINDS, 0)
-        self.wrong, self.widths, self.examples = {}, [], []
+        self.wrong, self.widths, self.conditions, self.examples = {}, [], [], []
 
     def error(self, what, words):
         self.wrong[what] = self.wrong.get(what, 0) + 1
+        self.note(f"wrong, {what}", words)
+
+    def note(self, what, words):
         if len(self.examples) < 5:
             self.examples.append(f"{what}: {' '.join(words)}")
 
+    def join(self, other):
+        for count in ("rays", "undecided", "easy", "easy_open", "true_roots"):
+            setattr(self, count, getattr(self, count) + getattr(other, count))
+        for one, more in ((self.counts, other.counts), (self.wrong, other.wrong)):
+            for key, count in more.items():
+                one[key] = one.get(key, 0) + count
+        self.widths += other.widths
+        self.conditions += other.conditions
+        self.examples = (self.examples + other.examples)[:5]
+
     def row(self):
-        width = statistics.median(self.widths) if self.widths else 0
         errors = sum(self.wrong.values())
         c = self.counts
         return [self.name, self.rays, self.true_roots, c["root"], c["tangent"], c["crossing"], c["open"], self.undecided,
-                self.easy, self.easy_open, f"{width:.0f}", errors]
+                self.easy, self.easy_open, middle(self.widths), middle(self.conditions), errors]
+
+
+def middle(numbers):
+    return f"{statistics.median(numbers):.3g}" if numbers else ""
 
 
 HEAD = ["surface", "rays", "true roots", "root", "tangent", "crossing", "open", "oracle undecided", "easy rays",
-        "open among easy", "median ulps", "wrong"]
+        "open among easy", "median ulps", "median conditioning", "wrong"]
 
 
 def tallies(lines):
@@ -70,7 +86,10 @@ def tallies(lines):
 def report(tallies, table):
     """Prints a line or a row for each; the exit code: 1 if something is wrong, or if nothing was judged."""
     rows = [t.row() for t in tallies]
-    rows.append(["all"] + [sum(r[k] for r in rows) for k in range(1, 10)] + ["", sum(r[11] for r in rows)])
+    widths = [w for t in tallies for w in t.widths]
+    conditions = [c for t in tallies for c in t.conditions]
+    sums = [sum(r[k] for r in rows) for k in range(1, 10)]
+    rows.append(["all", *sums, middle(widths), middle(conditions), sum(r[12] for r in rows)])
     if table:
         print("| " + " | ".join(HEAD) + " |\n|" + "---|" * len(HEAD))
     for row in rows:
@@ -78,7 +97,7 @@ def report(tallies, table):
         print("| " + " | ".join(words) + " |" if table else ", ".join(f"{h} {w}" for h, w in zip(HEAD, words)))
     for tally in tallies:
         for example in tally.examples:
-            print(f"wrong, {tally.name}: {example}")
+            print(f"{tally.name}: {example}")
     return 1 if not tallies or any(t.wrong for t in tallies) else 0
 
 
@@ -109,7 +128,7 @@ def check(tally, words, events):
     if known.undecided:
         tally.undecided += 1
     elif not known.identical:
-        ease(tally, events, known, inside, box)
+        ease(tally, words, events, known, inside, box)
 
 
 def cover(tally, words, events, known, inside, near, far):
@@ -134,6 +153,7 @@ def claim(tally, words, event, known, box):
             tally.error(f"a root that is {len(held)} roots", words)
         else:
             tally.widths.append(ulps(lo, hi))
+            tally.conditions.append(conditioning(held[0], hi, known.scale))
     if kind == "crossing":
         if sum(r.multiplicity for r in held) % 2 == 0:
             tally.error("a crossing without a change of sign", words)
@@ -154,7 +174,13 @@ def ulps(lo, hi):
     return float(hi - lo) / math.ulp(scale)
 
 
-def ease(tally, events, known, inside, box):
+def conditioning(root, t, scale):
+    """How many ulps of t the root moves if f is off by half an ulp of its scale: what f64 can tell at best."""
+    slope = float(root.slope.mid())
+    return scale * 2.0**-53 / (slope * math.ulp(float(t) or 1.0)) if slope else math.inf
+
+
+def ease(tally, words, events, known, inside, box):
     """An easy ray has only simple roots, steep and apart; and nowhere comes f so near to 0 without a root as it would
     between two roots that are not steep."""
     width = float(box)
@@ -169,3 +195,4 @@ def ease(tally, events, known, inside, box):
     tally.easy += 1
     if any(kind in ("open", "tangent") for kind, *_ in events):
         tally.easy_open += 1
+        tally.note("open, and easy", words)

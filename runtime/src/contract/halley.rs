@@ -15,8 +15,17 @@ impl Contractor for Halley {
     const NAME: &'static str = "halley";
     const ORDER: u8 = 2;
 
+    type Memory<P: Packet> = ();
+
+    fn memory<P: Packet>(_: P) {}
+
     #[inline(always)]
-    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
+    fn contract<P: Packet>(
+        field: &mut Field<'_, P>,
+        t: &Interval<P::F>,
+        live: P::M,
+        (): &mut (),
+    ) -> Pieces<P> {
         let p = field.p;
         let f = field.curvature(t, live);
         let gone = excluded(p, &f.d[0], &f.flags, live);

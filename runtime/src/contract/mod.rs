@@ -8,12 +8,17 @@
 mod auto;
 mod bisection;
 mod halley;
+mod halley_quotient;
 mod newton;
 mod tightened;
+#[cfg(feature = "unrounded")]
+#[doc(hidden)]
+pub mod unsound;
 
 pub use auto::Auto;
 pub use bisection::Bisection;
 pub use halley::{Halley, step as halley_step};
+pub use halley_quotient::{HalleyQuotient, step as halley_quotient_step};
 pub use newton::{Newton, step as newton_step};
 pub use tightened::{Tightened, slope_over as tightened_slope};
 
@@ -44,8 +49,19 @@ pub trait Contractor: sealed::Sealed + Copy + Send + Sync + 'static {
     /// The highest derivative that it evaluates.
     const ORDER: u8;
 
+    /// What one search remembers from step to step.
+    type Memory<P: Packet>;
+
+    /// Nothing yet.
+    fn memory<P: Packet>(p: P) -> Self::Memory<P>;
+
     /// What is left of the segments `t` of the lanes in `live`.
-    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P>;
+    fn contract<P: Packet>(
+        field: &mut Field<'_, P>,
+        t: &Interval<P::F>,
+        live: P::M,
+        memory: &mut Self::Memory<P>,
+    ) -> Pieces<P>;
 }
 
 /// What is left of a segment T.

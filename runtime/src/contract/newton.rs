@@ -14,8 +14,17 @@ impl Contractor for Newton {
     const NAME: &'static str = "newton";
     const ORDER: u8 = 1;
 
+    type Memory<P: Packet> = ();
+
+    fn memory<P: Packet>(_: P) {}
+
     #[inline(always)]
-    fn contract<P: Packet>(field: &mut Field<'_, P>, t: &Interval<P::F>, live: P::M) -> Pieces<P> {
+    fn contract<P: Packet>(
+        field: &mut Field<'_, P>,
+        t: &Interval<P::F>,
+        live: P::M,
+        (): &mut (),
+    ) -> Pieces<P> {
         let p = field.p;
         let f = field.slope(t, live);
         let gone = excluded(p, &f.d[0], &f.flags, live);

@@ -2,7 +2,7 @@
 
 #[cfg(target_arch = "x86_64")]
 use super::{Avx2, Avx512};
-use super::{Kernel, Lanes, Portable, environment};
+use super::{Kernel, Lanes, Portable, Rounding, environment};
 
 /// A back-end that this processor has. It is chosen once per render; [`run`](Self::run) enters it.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +44,7 @@ macro_rules! tokens {
             /// False for the back-ends whose bounds do not hold.
             fn is_directed(self) -> bool {
                 match self.0 {
-                    $($(#[$condition])* Token::$variant(_) => <$token>::DIRECTED,)*
+                    $($(#[$condition])* Token::$variant(_) => <<$token as Lanes>::Rounding as Rounding>::HOLDS,)*
                 }
             }
         }

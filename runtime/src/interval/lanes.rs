@@ -1,5 +1,6 @@
 //! Vectors of `f64` with directed rounding: the primitives that a back-end provides.
 
+use super::Rounding;
 use super::sealed::Sealed;
 
 /// A token for one instruction set. Holding one proves that the processor has it, so every method is safe.
@@ -17,6 +18,8 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     type F: Copy + Send + Sync + 'static;
     /// One bit per lane, in whatever form the processor likes.
     type M: Copy + Send + Sync + 'static;
+    /// Do bounds hold, or what is wrong with them? Wrong ones are negative controls.
+    type Rounding: Rounding;
 
     /// How many lanes a vector has: 8 in packets, 1 in scalars.
     const LANES: usize;
@@ -24,8 +27,6 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     const FUSED: bool;
     /// The name that `ZEROSET_ISA` and reports use.
     const NAME: &'static str;
-    /// False in the back-ends that exist for negative controls: their bounds are rounded to nearest.
-    const DIRECTED: bool;
     /// Are directed results the optimal ones, so that they have the sign of the exact result (or are 0)? Where they are
     /// not, an exact 0 may be widened to the smallest subnormal.
     const OPTIMAL: bool;
@@ -118,9 +119,11 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// (m, e) with x = m·2ᵉ exactly, e a whole number and m ∈ [⅔, 4⁄3) to a unit in the last place, for a positive normal
     /// x; anything else gives garbage.
     fn decompose(self, x: Self::F) -> (Self::F, Self::F);
-    /// The number before a positive normal one; the same number where rounding is off.
+    /// The number before a positive normal one; the same number where rounding is off. In packets, also the one nearer to 0
+    /// than a negative one, and a NaN of 0.
     fn before(self, a: Self::F) -> Self::F;
-    /// The number after a positive normal one, +∞ after MAX; the same number where rounding is off.
+    /// The number after a positive normal one, +∞ after MAX; the same number where rounding is off. In packets, also the one
+    /// farther from 0 than a negative one.
     fn after(self, a: Self::F) -> Self::F;
     /// `a`, and 0 where it is NaN: 0·∞ stands for the product of 0 and numbers without bound, which is 0.
     #[inline(always)]

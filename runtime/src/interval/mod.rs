@@ -13,6 +13,7 @@ mod fine;
 mod flags;
 mod forward;
 mod functions;
+mod horner;
 mod isa;
 mod lanes;
 mod leaf;

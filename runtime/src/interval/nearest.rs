@@ -91,8 +91,8 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         recip(a: P::F) -> (P::F, Flags<P>) = p => (p.div_rn(p.splat(1.0), a), Flags::none(p));
         sqrt(a: P::F) -> (P::F, Flags<P>) = p => (p.sqrt_rn(a), Flags::none(p));
         ln(a: P::F) -> (P::F, Flags<P>) = p => (functions::ln::anywhere(p, a), Flags::none(p));
-        sin(a: P::F) -> P::F = p => functions::circular::near(p, a, 0.0);
-        cos(a: P::F) -> P::F = p => functions::circular::near(p, a, 1.0);
+        sin(a: P::F) -> P::F = p => functions::circular::anywhere(p, a, 0.0);
+        cos(a: P::F) -> P::F = p => functions::circular::anywhere(p, a, 1.0);
         tan(a: P::F) -> (P::F, Flags<P>) = p => (functions::tangent::near(p, a), Flags::none(p));
         asin(a: P::F) -> (P::F, Flags<P>) = p =>
             (functions::arcsine::near_sine(p, a), Flags::none(p));

@@ -5,6 +5,7 @@
 //! upper bound the maximum of another. Horner's scheme with fused operations rounds twice, each time downwards (upwards):
 //! c₂t + c₁ rounded down is multiplied by t ≥ 0, which keeps the order.
 
+use super::horner;
 use super::lanes::operation;
 use super::{Arithmetic, At, Interval, Linear, Nearest, Packet, Parameter, Quadratic};
 
@@ -86,25 +87,19 @@ fn extreme<P: Packet>(p: P, [c0, c1, c2]: [P::F; 3]) -> (P::F, Interval<P::F>) {
     )
 }
 
-/// The bounds of c₁ + c₂t at one t.
+/// The bounds of c₀ + c₁t at one t.
 #[inline(always)]
-fn line<P: Packet>(p: P, c1: Interval<P::F>, c2: Interval<P::F>, t: P::F) -> Interval<P::F> {
-    Interval {
-        lo: p.mul_add_rd(c2.lo, t, c1.lo),
-        hi: p.mul_add_ru(c2.hi, t, c1.hi),
-    }
-}
-
-/// [`line`] as an operation.
-#[inline(always)]
-fn line_at<P: Packet>(p: P, c1: &Interval<P::F>, c2: &Interval<P::F>, t: &P::F) -> Interval<P::F> {
+fn line_at<P: Packet>(p: P, c0: &Interval<P::F>, c1: &Interval<P::F>, t: &P::F) -> Interval<P::F> {
     operation!(
-        <P: Packet> p, (c1: Interval<P::F> = c1, c2: Interval<P::F> = c2, t: P::F = t) -> Interval<P::F>
-        = p => line(p, c1, c2, t)
+        <P: Packet> p, (c0: Interval<P::F> = c0, c1: Interval<P::F> = c1, t: P::F = t) -> Interval<P::F>
+        = p => Interval {
+            lo: horner::line_rd(p, c0.lo, c1.lo, t),
+            hi: horner::line_ru(p, c0.hi, c1.hi, t),
+        }
     )
 }
 
-/// Bounds of c₁ + 2c₂t: the doubling is exact.
+/// 2c₂, exactly.
 #[inline(always)]
 fn doubled<P: Packet>(p: P, c2: Interval<P::F>) -> Interval<P::F> {
     Interval {
@@ -144,22 +139,18 @@ fn linear_bounds<P: Packet>(
     let at_lo = p.select(p.lt(c1.lo, zero), t.hi, t.lo);
     let at_hi = p.select(p.lt(c1.hi, zero), t.lo, t.hi);
     Interval {
-        lo: p.mul_add_rd(c1.lo, at_lo, c0.lo),
-        hi: p.mul_add_ru(c1.hi, at_hi, c0.hi),
+        lo: horner::line_rd(p, c0.lo, c1.lo, at_lo),
+        hi: horner::line_ru(p, c0.hi, c1.hi, at_hi),
     }
 }
 
 /// c₀ + c₁t + c₂t² over a segment.
 #[inline(always)]
 fn quadratic_range<P: Packet>(p: P, leaf: &Quadratic<P>, t: Interval<P::F>) -> Interval<P::F> {
-    let (start, end) = (
-        line(p, leaf.c1, leaf.c2, t.lo),
-        line(p, leaf.c1, leaf.c2, t.hi),
+    let (lower, upper) = (
+        [leaf.c0.lo, leaf.c1.lo, leaf.c2.lo],
+        [leaf.c0.hi, leaf.c1.hi, leaf.c2.hi],
     );
-    let lo0 = p.mul_add_rd(start.lo, t.lo, leaf.c0.lo);
-    let lo1 = p.mul_add_rd(end.lo, t.hi, leaf.c0.lo);
-    let hi0 = p.mul_add_ru(start.hi, t.lo, leaf.c0.hi);
-    let hi1 = p.mul_add_ru(end.hi, t.hi, leaf.c0.hi);
     // If the vertex may be inside, the extreme value over all t counts, which is always a bound.
     let low = p.select(outside(p, leaf.bottom, t), p.splat(f64::INFINITY), leaf.low);
     let high = p.select(
@@ -168,8 +159,8 @@ fn quadratic_range<P: Packet>(p: P, leaf: &Quadratic<P>, t: Interval<P::F>) -> I
         leaf.high,
     );
     Interval {
-        lo: p.min_f(p.min_f(low, lo1), lo0),
-        hi: p.max_f(p.max_f(high, hi1), hi0),
+        lo: p.min_f(low, horner::least(p, lower, t.lo, t.hi)),
+        hi: p.max_f(high, horner::most(p, upper, t.lo, t.hi)),
     }
 }
 
@@ -216,7 +207,10 @@ impl<P: Packet> Parameter<P> for At<P::F> {
     fn quadratic(self, p: P, leaf: &Quadratic<P>) -> Interval<P::F> {
         operation!(
             <P: Packet> p, (leaf: Quadratic<P> = leaf, t: P::F = &self.0) -> Interval<P::F>
-            = p => line(p, leaf.c0, line(p, leaf.c1, leaf.c2, t), t)
+            = p => Interval {
+                lo: horner::least(p, [leaf.c0.lo, leaf.c1.lo, leaf.c2.lo], t, t),
+                hi: horner::most(p, [leaf.c0.hi, leaf.c1.hi, leaf.c2.hi], t, t),
+            }
         )
     }
     #[inline(always)]

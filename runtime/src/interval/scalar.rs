@@ -3,7 +3,7 @@
 use super::enclose::Enclose;
 use super::lanes::decompose;
 use super::sealed::Sealed;
-use super::{Kernel, Lanes, Routine};
+use super::{Directed, Kernel, Lanes, Routine};
 
 /// The token for single numbers. It uses [`f64::mul_add`], which is a library call where the processor (or the build)
 /// has no FMA: right everywhere, and slow. What runs once per packet belongs to the other back-ends.
@@ -113,10 +113,10 @@ impl Sealed for Scalar {}
 impl Lanes for Scalar {
     type F = f64;
     type M = bool;
+    type Rounding = Directed;
     const LANES: usize = 1;
     const FUSED: bool = true;
     const NAME: &'static str = "scalar";
-    const DIRECTED: bool = true;
     const OPTIMAL: bool = true;
 
     #[inline(always)]

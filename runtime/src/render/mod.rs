@@ -21,7 +21,8 @@ use crate::beam::{Frame, Hint, Request, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
 use crate::scene::{Prepared, Scene, SceneError, TileJob, hull};
-use crate::trace::{Leaves, Trail, WithBeams};
+pub use crate::trace::Trail;
+use crate::trace::{Leaves, WithBeams};
 use crate::verdict::{Answer, Verdict};
 use settle::settle;
 use shard::Shard;
@@ -84,6 +85,15 @@ pub fn all_roots(
     ray: &Ray,
     options: &Options,
 ) -> Result<Vec<(f64, Vec<Verdict>)>, RenderError> {
+    let trails = trails(scene, ray, options)?.into_iter();
+    Ok(trails.map(|trail| (trail.entry, trail.events)).collect())
+}
+
+/// As [`all_roots`], with all that is known of each search.
+///
+/// # Errors
+/// As [`all_roots`].
+pub fn trails(scene: &Scene, ray: &Ray, options: &Options) -> Result<Vec<Trail>, RenderError> {
     check_ray(ray)?;
     let boxes = scene.boxes()?;
     let isa = match options.isa {
@@ -93,10 +103,9 @@ pub fn all_roots(
     let surfaces = scene.surfaces.iter().zip(&boxes);
     Ok(surfaces
         .map(|(surface, domain)| {
-            let trail = surface
+            surface
                 .prepare()
-                .along(isa, &options.settings, domain, ray, false);
-            (trail.entry, trail.events)
+                .along(isa, &options.settings, domain, ray, false)
         })
         .collect())
 }

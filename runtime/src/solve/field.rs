@@ -8,6 +8,8 @@ use crate::interval::{At, Ball, Flags, Interval, Jet, Packet, Scalar};
 pub(crate) trait Along<P: Packet> {
     /// f over `t`.
     fn value(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 1>;
+    /// f over `t` by plain interval arithmetic in space, for the lanes of `live`.
+    fn natural(&self, p: P, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1>;
     /// f and f' over `t`.
     fn slope(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 2>;
     /// f, f' and f'' over `t`.
@@ -25,6 +27,8 @@ pub struct Field<'a, P: Packet> {
     pub(crate) p: P,
     pub(crate) along: &'a dyn Along<P>,
     pub(crate) counts: &'a mut Evaluations,
+    /// Evaluations of all kinds that each ray took so far.
+    pub(crate) spent: &'a mut P::F,
 }
 
 /// f and its first `N − 1` derivatives over the segments of a packet.
@@ -86,29 +90,47 @@ impl Evaluations {
 
 impl<'a, P: Packet> Field<'a, P> {
     #[inline(always)]
-    pub(crate) fn new(p: P, along: &'a dyn Along<P>, counts: &'a mut Evaluations) -> Self {
-        Field { p, along, counts }
+    pub(crate) fn new(
+        p: P,
+        along: &'a dyn Along<P>,
+        counts: &'a mut Evaluations,
+        spent: &'a mut P::F,
+    ) -> Self {
+        Field {
+            p,
+            along,
+            counts,
+            spent,
+        }
     }
 
-    /// How many lanes an evaluation serves.
+    /// Counts an evaluation for the lanes that it serves: how many these are.
     #[inline(always)]
-    fn served(&self, live: P::M) -> u64 {
-        u64::from(self.p.bits(live).count_ones())
+    fn served(&mut self, live: P::M) -> u64 {
+        let p = self.p;
+        let more = p.add_rn(*self.spent, p.splat(1.0));
+        *self.spent = p.select(live, more, *self.spent);
+        self.counts.packets += 1;
+        u64::from(p.bits(live).count_ones())
     }
 
     /// f over `t`, for the lanes of `live`; other lanes hold anything.
     #[inline(always)]
     pub fn value(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1> {
         self.counts.value += self.served(live);
-        self.counts.packets += 1;
         self.along.value(self.p, t)
+    }
+
+    /// f over `t` by plain interval arithmetic in space.
+    pub fn natural(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1> {
+        self.counts.value += self.served(live);
+        self.along.natural(self.p, t, live)
     }
 
     /// f and f' over `t`.
     #[inline(always)]
     pub fn slope(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 2> {
         self.counts.slope += self.served(live);
-        self.counts.packets += 1;
         self.along.slope(self.p, t)
     }
 
@@ -116,7 +138,6 @@ impl<'a, P: Packet> Field<'a, P> {
     #[inline(always)]
     pub fn curvature(&mut self, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 3> {
         self.counts.curvature += self.served(live);
-        self.counts.packets += 1;
         self.along.curvature(self.p, t)
     }
 
@@ -124,7 +145,6 @@ impl<'a, P: Packet> Field<'a, P> {
     #[inline(always)]
     pub fn point(&mut self, t: P::F, live: P::M) -> Enclosed<P, 1> {
         self.counts.point += self.served(live);
-        self.counts.packets += 1;
         self.along.point(self.p, &At(t))
     }
 
@@ -132,7 +152,6 @@ impl<'a, P: Packet> Field<'a, P> {
     #[inline(always)]
     pub fn float(&mut self, t: P::F, live: P::M) -> [P::F; 2] {
         self.counts.float += self.served(live);
-        self.counts.packets += 1;
         self.along.float(self.p, &At(t))
     }
 }

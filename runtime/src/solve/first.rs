@@ -117,7 +117,7 @@ impl<C: Contractor, P: Packet> Routine<P> for Search<'_, C, P> {
             over: *job.over,
             live: job.live,
             first: job.first,
-            limit: job.field.counts.packets + u64::from(job.settings.budget),
+            limit: p.splat(job.settings.limit()),
             first_only: job.first_only,
         };
         let mut found = march::<C, P>(&mut job.field, &range, job.events, job.cuts);

@@ -48,8 +48,8 @@ pub(super) struct Range<P: Packet> {
     pub live: P::M,
     /// How long the first steps are.
     pub first: P::F,
-    /// The evaluation count at which the search gives up.
-    pub limit: u64,
+    /// The number of evaluations at which a ray's search gives up.
+    pub limit: P::F,
     /// Is a sign change enough to end a ray's search?
     pub first_only: bool,
 }
@@ -81,6 +81,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
     let shortest = p.mul_rn(end, p.splat(1.0 / (1u64 << 48) as f64));
     let mut live = range.live;
     let mut found = Brackets::none(p);
+    let mut memory = C::memory(p);
     let mut at = Front::<P> {
         front: range.over.lo,
         back: p.min_f(p.add_rn(range.over.lo, range.first), end),
@@ -94,7 +95,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
             lo: at.front,
             hi: at.back,
         };
-        let pieces = C::contract(field, &t, live);
+        let pieces = C::contract(field, &t, live, &mut memory);
         let none = p.and(pieces.none, live);
         let one = p.and(p.and_not(pieces.one, none), live);
         if p.any(one) {
@@ -138,9 +139,10 @@ pub(super) fn march<C: Contractor, P: Packet>(
         if let Some(cuts) = &mut cuts {
             cuts.push(p.to_array(at.front)[0]);
         }
-        if field.counts.packets > range.limit {
-            give_up(p, live, at.front, end, events);
-            break;
+        let spent = p.and(live, p.lt(range.limit, *field.spent));
+        if p.any(spent) {
+            give_up(p, spent, at.front, end, events);
+            live = p.and_not(live, spent);
         }
     }
     found

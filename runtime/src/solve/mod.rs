@@ -3,6 +3,7 @@
 mod field;
 mod first;
 mod floor;
+mod line;
 mod march;
 mod quadric;
 mod refine;
@@ -26,8 +27,9 @@ use crate::interval::{Interval, Packet};
 /// How to search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Evaluations, each of a packet of rays, before the rest of a packet's rays is given up as
-    /// [`Why::Budget`](crate::verdict::Why::Budget).
+    /// Evaluations of all kinds that one ray may take with one surface. A search gives the rest of its ray up, as
+    /// [`Why::Budget`](crate::verdict::Why::Budget), when all but 1,000 of them are spent (or half, if there are fewer
+    /// than 2,000): these finish what was found.
     pub budget: u32,
     /// Quadrics by their discriminant, without a search.
     pub closed_forms: bool,
@@ -36,6 +38,41 @@ pub struct Settings {
     /// Once a bracket with exactly one root is proved, converge in plain floats and certify the end; otherwise go on with
     /// enclosures.
     pub plain_convergence: bool,
+    /// How far the intervals of roots are narrowed.
+    pub narrowing: Narrowing,
+}
+
+/// How far the intervals of roots are narrowed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Narrowing {
+    /// [`Double`](Self::Double) in pictures, [`Twice`](Self::Twice) for single rays.
+    #[default]
+    ByUse,
+    /// As far as `f64` gets without more work: at most 5e-13 wide, some ten to a hundred units in the last place. More
+    /// than a pixel can show.
+    Double,
+    /// To a unit in the last place or two, by one evaluation in twice the precision for each root. Where f calls functions that
+    /// [`Fine`](crate::interval::Fine) has no finer than `f64`, as far as these allow.
+    Twice,
+}
+
+impl Narrowing {
+    /// In twice the precision?
+    pub(crate) fn twice(self, picture: bool) -> bool {
+        match self {
+            Narrowing::ByUse => !picture,
+            Narrowing::Double => false,
+            Narrowing::Twice => true,
+        }
+    }
+}
+
+impl Settings {
+    /// The number of evaluations after which a search gives up: what is at hand then is finished within the budget.
+    pub(crate) fn limit(&self) -> f64 {
+        let budget = f64::from(self.budget);
+        budget - (0.5 * budget).min(1000.0)
+    }
 }
 
 impl Default for Settings {
@@ -45,6 +82,7 @@ impl Default for Settings {
             closed_forms: true,
             beams: true,
             plain_convergence: true,
+            narrowing: Narrowing::default(),
         }
     }
 }

@@ -1,17 +1,21 @@
 //! A second look in twice the precision: at grazing rays, where the noise of f is divided by a small slope.
 
-use super::{Along, Events, Field, twice_differentiable};
-use crate::interval::{Ball, Interval, Lanes, Packet, Scalar};
+use super::line::{Line, Turn};
+use super::{Events, Field, differentiable, twice_differentiable};
+use crate::interval::{Interval, Packet};
 use crate::ray::Lines;
 use crate::verdict::Verdict;
 
 /// A root's interval that is wider than this gets a second look in twice the precision.
 pub(crate) const WIDE: f64 = 5e-13;
-/// How narrow the second look makes it.
+/// How narrow the second look makes a sign change.
 const GOAL: f64 = 1e-13;
 
 /// How often a piece beside a sign change is halved.
 const DEPTH: u32 = 4;
+
+/// How many looks one event takes at most.
+const LOOKS: f64 = 250.0;
 
 /// Rays that need a second look.
 pub(crate) struct Second<'b, P: Packet> {
@@ -24,6 +28,8 @@ pub(crate) struct Second<'b, P: Packet> {
     pub wide: u8,
     /// May events be decided by the second derivative?
     pub bends: bool,
+    /// Evaluations that one ray may take.
+    pub budget: u32,
     /// What was met before the roots.
     pub events: &'b mut Events,
 }
@@ -31,28 +37,15 @@ pub(crate) struct Second<'b, P: Packet> {
 /// Narrows roots, and decides tangencies, as far as twice the precision can.
 #[cold]
 pub(super) fn sharpen<P: Packet>(mut second: Second<'_, P>, t: &mut Interval<P::F>) {
-    let p = second.field.p;
-    let (mut lo, mut hi) = (p.to_array(t.lo), p.to_array(t.hi));
     let touched = if second.bends {
         second.events.touched
     } else {
         0
     };
-    let wide = second.wide;
-    for lane in (0..8).filter(|lane| wide >> lane & 1 != 0) {
-        let root = second.on(lane, |line| {
-            line.bisect(Interval {
-                lo: lo[lane],
-                hi: hi[lane],
-            })
-        });
-        (lo[lane], hi[lane]) = (root.lo, root.hi);
+    if second.wide != 0 {
+        second.roots(t);
     }
-    *t = Interval {
-        lo: p.lanes(lo),
-        hi: p.lanes(hi),
-    };
-    for lane in (0..8).filter(|lane| touched >> lane & 1 != 0) {
+    for lane in lanes(touched) {
         let events = second.events.take(lane);
         for event in events {
             second.event(lane, event);
@@ -60,24 +53,89 @@ pub(super) fn sharpen<P: Packet>(mut second: Second<'_, P>, t: &mut Interval<P::
     }
 }
 
+/// The lanes of a mask's bits.
+fn lanes(bits: u8) -> impl Iterator<Item = usize> {
+    (0..8).filter(move |lane| bits >> lane & 1 != 0)
+}
+
+/// As narrow as a root's interval is made, nearly.
+fn is_narrow(t: &Interval) -> bool {
+    t.hi - t.lo <= 2.0 * f64::EPSILON * t.hi
+}
+
 impl<P: Packet> Second<'_, P> {
     /// Works on one exact ray, and counts.
     fn on<T>(&mut self, lane: usize, work: impl FnOnce(&mut Line<'_, P>) -> T) -> T {
+        let p = self.field.p;
         let mut line = Line {
             along: self.field.along,
             origin: [0, 1, 2].map(|k| self.lines.origin[k][lane]),
             direction: [0, 1, 2].map(|k| self.lines.direction[k][lane]),
-            entry: self.field.p.to_array(self.entry)[lane],
+            entry: p.to_array(self.entry)[lane],
             looks: 0,
         };
         let done = work(&mut line);
         self.field.counts.fine += line.looks;
+        let mut spent = p.to_array(*self.field.spent);
+        spent[lane] += line.looks as f64;
+        *self.field.spent = p.lanes(spent);
         done
+    }
+
+    /// May this ray be looked at once more?
+    fn affords(&self, lane: usize) -> bool {
+        let spent = self.field.p.to_array(*self.field.spent)[lane];
+        spent + LOOKS <= f64::from(self.budget)
+    }
+
+    /// Newton images while each at least halves a root's interval; what is wide then is bisected.
+    fn roots(&mut self, t: &mut Interval<P::F>) {
+        let p = self.field.p;
+        let mut open = self.wide;
+        let mut roots = ends(p, t);
+        for _ in 0..4 {
+            let slopes = self.slopes(&packet(p, &roots), open);
+            for lane in lanes(open) {
+                let before = roots[lane];
+                let image =
+                    slopes[lane].and_then(|d| self.on(lane, |line| line.image(&before, &d)));
+                roots[lane] = image.unwrap_or(before);
+                let halved = roots[lane].width() <= 0.5 * before.width();
+                if !halved || is_narrow(&roots[lane]) {
+                    open &= !(1 << lane);
+                }
+            }
+            if open == 0 {
+                break;
+            }
+        }
+        for lane in lanes(self.wide) {
+            if !is_narrow(&roots[lane]) {
+                let wide = roots[lane];
+                roots[lane] = self.on(lane, |line| line.bisect(wide));
+            }
+        }
+        *t = packet(p, &roots);
+    }
+
+    /// f' over the segments of some rays, where it may be used and is not 0.
+    fn slopes(&mut self, t: &Interval<P::F>, rays: u8) -> [Option<Interval>; 8] {
+        let p = self.field.p;
+        let rays = p.mask(rays);
+        let f = self.field.slope(t, rays);
+        let usable = p.bits(differentiable(p, &f.flags, rays));
+        let slopes = ends(p, &f.d[1]);
+        let mut found = [None; 8];
+        for lane in lanes(usable) {
+            found[lane] = Some(slopes[lane]).filter(|d| !d.contains(0.0));
+        }
+        found
     }
 
     /// Puts an event back, or what it turns out to be.
     fn event(&mut self, lane: usize, event: Verdict) {
         match event {
+            _ if !self.affords(lane) => self.events.push(lane, event),
             Verdict::Crossing { t } => {
                 let event = match self.on(lane, |line| line.simple(&t)) {
                     Some(t) => Verdict::Root { t },
@@ -104,7 +162,7 @@ impl<P: Packet> Second<'_, P> {
         let [Some(before), Some(behind)] = signs else {
             return t;
         };
-        while before != behind && t.hi - t.lo > GOAL {
+        while before != behind && t.hi - t.lo > GOAL && self.affords(lane) {
             let middle = t.lo + 0.5 * (t.hi - t.lo);
             let left = match self.on(lane, |line| line.sign(middle)) {
                 Some(sign) => sign == before,
@@ -130,7 +188,7 @@ impl<P: Packet> Second<'_, P> {
         if slopes[0].is_some() && slopes[0] == slopes[1] && self.bend(lane, &t).is_some() {
             return true;
         }
-        if depth == 0 {
+        if depth == 0 || !self.affords(lane) {
             return false;
         }
         let middle = t.lo + 0.5 * (t.hi - t.lo);
@@ -161,18 +219,6 @@ impl<P: Packet> Second<'_, P> {
     }
 }
 
-/// What is found out about a piece with one critical point and roots on both sides of it, if at all.
-enum Turn {
-    /// No root.
-    None,
-    /// The roots before and behind the critical point, each the only one on its side.
-    Roots([Option<Interval>; 2]),
-    /// Still a tangency, perhaps a narrower one.
-    Tangent { t: Interval, residual: f64 },
-    /// Nothing.
-    Unknown,
-}
-
 impl Turn {
     fn tell(self, was: Verdict, mut push: impl FnMut(Verdict)) {
         match self {
@@ -188,130 +234,18 @@ impl Turn {
     }
 }
 
-/// f along the exact ray origin + (entry + t)·direction.
-struct Line<'a, P: Packet> {
-    along: &'a dyn Along<P>,
-    origin: [f64; 3],
-    direction: [f64; 3],
-    entry: f64,
-    /// How often f was evaluated.
-    looks: u64,
+/// A packet's segments one by one.
+fn ends<P: Packet>(p: P, t: &Interval<P::F>) -> [Interval; 8] {
+    let (lo, hi) = (p.to_array(t.lo), p.to_array(t.hi));
+    core::array::from_fn(|lane| Interval {
+        lo: lo[lane],
+        hi: hi[lane],
+    })
 }
 
-impl<P: Packet> Line<'_, P> {
-    /// f and f' at `t`, if f is certainly defined and continuous there.
-    fn at(&mut self, t: f64) -> Option<[Interval; 2]> {
-        self.over(Ball::sum(self.entry, t))
-    }
-
-    /// The same over a ball of parameters of the ray as given.
-    fn over(&mut self, t: Ball) -> Option<[Interval; 2]> {
-        self.looks += 1;
-        let point = [0, 1, 2].map(|k| t.along(self.origin[k], self.direction[k]));
-        let ([f, gradient @ ..], flags) = self.along.fine(&point);
-        let defined = !(flags.empty || flags.undefined || flags.jump);
-        let slope = Ball::dot(&gradient, &self.direction);
-        defined.then_some([f.interval(), slope.interval()])
-    }
-
-    /// The sign of f at `t`, if it is certain.
-    fn sign(&mut self, t: f64) -> Option<bool> {
-        let [f, _] = self.at(t)?;
-        (!f.contains(0.0)).then_some(f.lo > 0.0)
-    }
-
-    /// The root of a piece over which f has a slope, and at whose ends it has opposite signs.
-    fn simple(&mut self, t: &Interval) -> Option<Interval> {
-        let [_, slope] = self.over(Ball::span(self.entry, t))?;
-        let change = self.sign(t.lo)? != self.sign(t.hi)?;
-        (change && !slope.contains(0.0)).then(|| self.bisect(*t))
-    }
-
-    /// The sign of f' at `t`, if it is certain.
-    fn slope(&mut self, t: f64) -> Option<bool> {
-        let [_, slope] = self.at(t)?;
-        (!slope.contains(0.0)).then_some(slope.lo > 0.0)
-    }
-
-    /// Bisects a piece at whose ends f has opposite signs. Certain signs alone move its ends.
-    fn bisect(&mut self, root: Interval) -> Interval {
-        let mut root = root;
-        let Some(before) = self.sign(root.lo) else {
-            return root;
-        };
-        if self.sign(root.hi) != Some(!before) {
-            return root;
-        }
-        let goal = GOAL.max(4.0 * f64::EPSILON * root.hi);
-        while root.hi - root.lo > goal {
-            let middle = root.lo + 0.5 * (root.hi - root.lo);
-            match self.sign(middle) {
-                Some(sign) if sign == before => root.lo = middle,
-                Some(_) => root.hi = middle,
-                None => break,
-            }
-        }
-        root
-    }
-
-    /// Let f'' > 0 (else mirror the signs), m = min f'', and c any point of T. Then f ≥ f(c) − f'(c)²/2m on T, which
-    /// may exclude a root. If f(c) < 0, there is one root on each side of c whose end is positive, and none on a side
-    /// whose end is negative. Else, as |f| ≤ r at the critical point, roots are within √(2r/m) of that, and it is
-    /// within |f'(c)|/m of c.
-    fn turn(&mut self, t: &Interval, bend: &Interval) -> Turn {
-        let up = bend.lo > 0.0;
-        let flattest = bend.lo.abs().min(bend.hi.abs());
-        let c = self.lowest(t, 0.5 * (bend.lo + bend.hi));
-        let Some([f, slope]) = self.at(c) else {
-            return Turn::Unknown;
-        };
-        let [least, most] = if up { [f.lo, f.hi] } else { [-f.hi, -f.lo] };
-        let steepest = slope.lo.abs().max(slope.hi.abs());
-        let p = Scalar;
-        let dip = p.div_ru(p.mul_ru(steepest, steepest), p.mul_rd(2.0, flattest));
-        if least > dip {
-            return Turn::None;
-        }
-        if most < 0.0 {
-            return self.sides(t, c, up);
-        }
-        let residual = p.add_ru(least.abs().max(most.abs()), dip);
-        let radius = p.sqrt_ru(p.div_ru(p.add_ru(residual, residual), flattest));
-        let reach = p.add_ru(radius, p.div_ru(steepest, flattest));
-        let t = Interval {
-            lo: p.sub_rd(c, reach).max(t.lo),
-            hi: p.add_ru(c, reach).min(t.hi),
-        };
-        if t.lo <= t.hi && residual.is_finite() {
-            Turn::Tangent { t, residual }
-        } else {
-            Turn::Unknown
-        }
-    }
-
-    /// Newton on f' with a guess of f'': a place near the critical point, without any guarantee.
-    fn lowest(&mut self, t: &Interval, bend: f64) -> f64 {
-        let mut c = 0.5 * (t.lo + t.hi);
-        for _ in 0..6 {
-            let Some([_, slope]) = self.at(c) else {
-                break;
-            };
-            let next = (c - 0.5 * (slope.lo + slope.hi) / bend).clamp(t.lo, t.hi);
-            if next == c || next.is_nan() {
-                break;
-            }
-            c = next;
-        }
-        c
-    }
-
-    /// The roots of a piece in whose midst, at c, f is certainly on the other side of 0.
-    fn sides(&mut self, t: &Interval, c: f64, up: bool) -> Turn {
-        let (Some(before), Some(behind)) = (self.sign(t.lo), self.sign(t.hi)) else {
-            return Turn::Unknown;
-        };
-        let left = (before == up).then(|| self.bisect(Interval { lo: t.lo, hi: c }));
-        let right = (behind == up).then(|| self.bisect(Interval { lo: c, hi: t.hi }));
-        Turn::Roots([left, right])
+fn packet<P: Packet>(p: P, t: &[Interval; 8]) -> Interval<P::F> {
+    Interval {
+        lo: p.lanes(t.map(|t| t.lo)),
+        hi: p.lanes(t.map(|t| t.hi)),
     }
 }

@@ -1,6 +1,9 @@
 //! A surface's entry points, each a function of its own per instruction set.
 
-use crate::interval::{At, Ball, Fine, Flags, Interval, Nearest, Packet, Routine, Scalar};
+use crate::interval::{
+    Arithmetic, At, Ball, Fine, Flags, Interval, Jet, Nearest, Packet, Routine, Scalar,
+};
+use crate::ray::Rays;
 use crate::solve::{Along, Enclosed};
 use crate::surface::Surface;
 
@@ -8,6 +11,7 @@ use crate::surface::Surface;
 pub(crate) struct Entries<'a, S: Surface, P: Packet> {
     pub prepared: &'a S::Prepared,
     pub bound: &'a S::Bound<P>,
+    pub rays: &'a Rays<P>,
 }
 
 /// Forwards to routines that enter the instruction set.
@@ -27,6 +31,49 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
         curvature(Interval<P::F>) -> Enclosed<P, 3> = Curvature;
         point(At<P::F>) -> Enclosed<P, 1> = Point;
         float(At<P::F>) -> [P::F; 2] = Float;
+    }
+
+    fn natural(&self, p: P, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1> {
+        let part = |x: &Interval<P::F>| (p.to_array(x.lo), p.to_array(x.hi));
+        let (t, live) = (part(t), p.bits(live));
+        let [origin, direction] =
+            [self.rays.origin, self.rays.direction].map(|v| v.map(|x| part(&x)));
+        let one = |(lo, hi): &([f64; 8], [f64; 8]), lane: usize| Interval {
+            lo: lo[lane],
+            hi: hi[lane],
+        };
+        let mut bounds = [[f64::NEG_INFINITY; 8], [f64::INFINITY; 8]];
+        let mut flags = [0u8; 4];
+        for lane in (0..8).filter(|lane| live >> lane & 1 != 0) {
+            let point = [0, 1, 2].map(|k| {
+                let way = Scalar.mul(one(&t, lane), one(&direction[k], lane));
+                Scalar.add(one(&origin[k], lane), way)
+            });
+            let f = S::gradient(Scalar, self.prepared, point);
+            (bounds[0][lane], bounds[1][lane]) = (f.d[0].lo, f.d[0].hi);
+            let Flags {
+                empty,
+                undefined,
+                jump,
+                kink,
+            } = f.flags;
+            for (bits, flag) in flags.iter_mut().zip([empty, undefined, jump, kink]) {
+                *bits |= u8::from(flag) << lane;
+            }
+        }
+        let [empty, undefined, jump, kink] = flags.map(|bits| p.mask(bits));
+        Jet {
+            d: [Interval {
+                lo: p.lanes(bounds[0]),
+                hi: p.lanes(bounds[1]),
+            }],
+            flags: Flags {
+                empty,
+                undefined,
+                jump,
+                kink,
+            },
+        }
     }
 
     fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>) {

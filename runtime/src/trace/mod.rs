@@ -4,12 +4,15 @@ mod beams;
 mod entries;
 mod normals;
 mod plan;
+mod range;
 mod roots;
 mod tile;
 
 pub(crate) use beams::{AssembleLeaves, Leaves, SurveyGrid, WithBeams};
 pub(crate) use normals::NormalsOfTile;
-pub(crate) use roots::{AlongRay, Trail};
+pub(crate) use range::RangeAlong;
+pub(crate) use roots::AlongRay;
+pub use roots::Trail;
 pub(crate) use tile::TraceTile;
 
 use crate::interval::{Interval, Packet, Routine};
@@ -41,6 +44,8 @@ impl<S: Surface, P: Packet> Routine<P> for Bind<'_, S, P> {
 struct OnRays<'a, S: Surface, P: Packet> {
     entries: Entries<'a, S, P>,
     counts: &'a mut Evaluations,
+    /// Evaluations that each ray took so far.
+    spent: P::F,
 }
 
 /// The first root of each live ray in `over`: by closed form where there is one, by a solver otherwise.
@@ -56,6 +61,8 @@ struct FirstRoots<'b, 'f, S: Surface, P: Packet> {
     /// Rays with exactly one root, of which it is known where: they are not searched.
     known: Option<&'b Brackets<P>>,
     first_only: bool,
+    /// Narrow the intervals of roots in twice the precision?
+    twice: bool,
     events: &'b mut Events,
     /// Where the first ray's search went on, for those who keep account.
     cuts: Option<&'b mut Vec<f64>>,
@@ -67,16 +74,26 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
     fn find(mut self, p: P) -> Roots<P> {
         let mut roots = self.found(p);
         let width = p.sub_ru(roots.t.hi, roots.t.lo);
-        let wide = p.and(roots.hit, p.lt(p.splat(WIDE), width));
+        let goal = if self.twice {
+            p.mul_rn(roots.t.hi, p.splat(2.0 * f64::EPSILON))
+        } else {
+            p.splat(WIDE)
+        };
+        let wide = p.and(roots.hit, p.lt(goal, width));
         let bends = self.solver.bends;
         if p.any(wide) || bends && self.events.touched != 0 {
-            let OnRays { entries, counts } = self.surface;
+            let OnRays {
+                entries,
+                counts,
+                spent,
+            } = self.surface;
             let second = Second {
-                field: Field::new(p, entries, counts),
+                field: Field::new(p, entries, counts, spent),
                 lines: self.lines,
                 entry: self.entry,
                 wide: p.bits(wide),
                 bends,
+                budget: self.settings.budget,
                 events: self.events,
             };
             self.solver.sharpen(second, &mut roots.t);
@@ -120,9 +137,13 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
     /// What the solver finds for the rays of `live`.
     #[inline(always)]
     fn searched(&mut self, p: P, live: P::M) -> Roots<P> {
-        let OnRays { entries, counts } = &mut *self.surface;
+        let OnRays {
+            entries,
+            counts,
+            spent,
+        } = &mut *self.surface;
         self.solver.search(Job {
-            field: Field::new(p, entries, counts),
+            field: Field::new(p, entries, counts, spent),
             settings: self.settings,
             over: self.over,
             live,

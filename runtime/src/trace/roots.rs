@@ -9,19 +9,21 @@ use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Lines, Rays, clip};
 use crate::solve::{Evaluations, Events, Settings};
 use crate::surface::Surface;
-use crate::verdict::Verdict;
+use crate::verdict::{Verdict, Why};
 
 /// What is known about one ray and one surface.
-#[derive(Debug, Default)]
-pub(crate) struct Trail {
+#[derive(Clone, Debug, Default)]
+pub struct Trail {
     /// The parameter from which t counts.
     pub entry: f64,
     /// The last t inside the box; nothing if the ray misses it.
     pub end: Option<f64>,
-    /// In ascending order.
+    /// What was met, in ascending order. Elsewhere on [0, `end`] f certainly has no root, up to where the search ended.
     pub events: Vec<Verdict>,
     /// Where the search went on: pieces between these were excluded one by one.
     pub cuts: Vec<f64>,
+    /// What it took.
+    pub evaluations: Evaluations,
 }
 
 /// The ordered list of events along one ray inside a box.
@@ -65,8 +67,10 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             entries: Entries::<S, P> {
                 prepared: self.prepared,
                 bound: &bound,
+                rays: &rays,
             },
             counts: &mut counts,
+            spent: p.splat(0.0),
         };
         let mut events = Events::default();
         let solver = C::solver();
@@ -86,6 +90,7 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
                 first: length,
                 known: None,
                 first_only: self.first_only,
+                twice: self.settings.narrowing.twice(false),
                 events: &mut events,
                 cuts: Some(&mut trail.cuts),
                 solver,
@@ -104,10 +109,21 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             };
             Verdict::Root { t }.append(&mut trail.events);
             over.lo = roots.resume;
-            if self.first_only || p.bits(p.lt(over.lo, over.hi)) & 1 == 0 {
+            let rest = Interval {
+                lo: p.to_array(over.lo)[0],
+                hi: p.to_array(over.hi)[0],
+            };
+            if self.first_only || rest.lo >= rest.hi {
+                break;
+            }
+            // What is kept back finishes one search, not the next.
+            if p.to_array(surface.spent)[0] > self.settings.limit() {
+                let why = Why::Budget;
+                Verdict::Unresolved { t: rest, why }.append(&mut trail.events);
                 break;
             }
         }
+        trail.evaluations = counts;
         if self.first_only {
             let first = trail.events.iter().position(Verdict::is_certain_hit);
             trail

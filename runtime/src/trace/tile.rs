@@ -114,8 +114,10 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             entries: Entries::<S, P> {
                 prepared: self.prepared,
                 bound: &self.bound,
+                rays: &rays,
             },
             counts: &mut self.tile.counts,
+            spent: p.splat(0.0),
         };
         let job = FirstRoots::<S, P> {
             surface: &mut surface,
@@ -127,6 +129,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             first: p.splat(hint.length),
             known: known.as_ref(),
             first_only: true,
+            twice: self.settings.narrowing.twice(true),
             events: &mut self.events,
             cuts: None,
             solver: C::solver(),

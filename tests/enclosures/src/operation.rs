@@ -26,8 +26,12 @@ macro_rules! operations {
         }
 
         impl Operation {
-            /// The operation of this name, that of the method.
+            /// The operation of this name, that of the method; `powi_3` is the third power, `powi_-3` its reciprocal.
             pub fn named(name: &str) -> Option<Operation> {
+                if let Some(n) = name.strip_prefix("powi_") {
+                    let n: i32 = n.parse().ok()?;
+                    return Some(u32::try_from(n).map_or(Operation::Pown(n), Operation::Powi));
+                }
                 Self::ALL.iter().find(|entry| entry.0 == name).map(|entry| entry.1)
             }
 

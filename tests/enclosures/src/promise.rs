@@ -32,6 +32,9 @@ pub fn width(name: &str, backend: &str) -> u64 {
     // One step outward, two without fused operations.
     let optimal = matches!(backend, "avx512" | "scalar");
     let fused = backend != "portable";
+    if let Some(n) = name.strip_prefix("powi_") {
+        return power_width(n.parse().unwrap_or_default(), optimal);
+    }
     match name {
         // Neighbouring doubles; a unit more on each side where they are widened, and for tiny factors in `Scalar`.
         "add" | "sub" | "sqrt" if optimal => 1,
@@ -52,9 +55,22 @@ pub fn width(name: &str, backend: &str) -> u64 {
         "log2" | "log10" => 11,
         "cosh" if optimal => 3,
         "cosh" => 5,
-        "hypot" if optimal => 8,
-        "hypot" => 12,
+        "hypot" if optimal => 4,
+        "hypot" => 10,
         _ => 12,
+    }
+}
+
+/// For xⁿ in units u of the value, of which 1 to 2 are a unit in the last place. Each of the n − 1 roundings (a square
+/// doubles those of its root) takes 2u from either bound where instructions round; else they take u from both alike and the
+/// step at the end takes n from either. A reciprocal rounds once more, and is widened.
+fn power_width(n: i32, optimal: bool) -> u64 {
+    let roundings = u64::from(n.unsigned_abs()) - 1;
+    let reciprocal = u64::from(n < 0);
+    if optimal {
+        4 * (roundings + reciprocal)
+    } else {
+        2 * (roundings + 1) + 4 * reciprocal + 2
     }
 }
 

@@ -25,10 +25,14 @@ pub struct Survey {
     pub segment_misses: Vec<String>,
 }
 
-/// Is this value, and what was found for it, away from overflow and subnormals?
+/// Is this value, and what was found for it, away from overflow and subnormals? So is its reciprocal, for negative powers.
 fn is_ordinary(value: Interval, outcome: &Outcome) -> bool {
-    let least = value.lo.abs().min(value.hi.abs());
-    least > 1e-307 && outcome.range.lo.is_finite() && outcome.range.hi.is_finite()
+    let (least, most) = (
+        value.lo.abs().min(value.hi.abs()),
+        value.lo.abs().max(value.hi.abs()),
+    );
+    let finite = outcome.range.lo.is_finite() && outcome.range.hi.is_finite();
+    least > 1e-307 && most < 1e307 && finite
 }
 
 /// The enclosures of all points; `brackets` in order of their arguments.

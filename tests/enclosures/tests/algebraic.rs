@@ -108,8 +108,8 @@ fn enclosures_of_points_are_tight() {
             );
             let promised = match operation {
                 Operation::Cbrt => 2,
-                _ if backend.is_optimal() => 8,
-                _ => 12,
+                _ if backend.is_optimal() => 4,
+                _ => 10,
             };
             assert!(
                 worst <= promised,
@@ -126,7 +126,7 @@ fn enclosures_of_points_are_tight() {
             let at = |x: f64| Interval { lo: x, hi: x };
             let range = backend.one(Operation::Hypot, at(x), at(y)).range;
             assert!(
-                range.lo > 0.8 * root && range.hi < 1.2 * root,
+                range.lo < 1.01 * root && range.hi > 0.99 * root && steps(range) <= 10,
                 "{}: {range:?}",
                 backend.name()
             );

@@ -4,7 +4,7 @@
 //! the error stream, for the harness hides what passing tests print.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use zeroset_enclosures::backend::Backend;
 use zeroset_enclosures::itf::tally::{table, tally};
@@ -26,7 +26,9 @@ fn files(test: &str) -> Option<Vec<PathBuf>> {
         say(&format!("SKIPPED {test}: ITF1788_DIR is not set"));
         return None;
     };
-    let folder = PathBuf::from(folder);
+    // Tests run in the folder of their package; a relative path is meant from the repository's.
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let folder = Path::new(root).join(folder);
     let entries = std::fs::read_dir(&folder)
         .unwrap_or_else(|error| panic!("ITF1788_DIR, {}: {error}", folder.display()));
     let mut files: Vec<PathBuf> = entries.filter_map(|e| Some(e.ok()?.path())).collect();

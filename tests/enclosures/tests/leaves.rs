@@ -53,8 +53,22 @@ fn store<P: Packet>(p: P, a: Interval<P::F>) -> [Interval; 8] {
     })
 }
 
-/// A coefficient: a point or a narrow interval, of moderate size.
+/// A coefficient: a point or a narrow interval, of moderate size; now and then a large, a tiny or an unbounded one.
 fn coefficient(source: &mut Source) -> Interval {
+    let sign = if source.below(2) == 0 { 1.0 } else { -1.0 };
+    match source.below(30) {
+        0 => return Interval::point(sign * (source.unit() * 60.0 + 960.0).exp2() * 1.9),
+        1 => return Interval::point(sign * (source.unit() * 70.0 - 1074.0).exp2()),
+        2 => {
+            let x = source.unit() * 8.0 - 4.0;
+            return if sign < 0.0 {
+                Interval::new(f64::NEG_INFINITY, x)
+            } else {
+                Interval::new(x, f64::INFINITY)
+            };
+        }
+        _ => {}
+    }
     let x = match source.below(6) {
         0 => source.below(9) as f64 - 4.0,
         1 => (source.unit() * 60.0 - 30.0).exp2(),
@@ -73,15 +87,13 @@ fn leaf(source: &mut Source) -> Leaf {
     Leaf {
         coefficients: std::array::from_fn(|_| std::array::from_fn(|_| coefficient(source))),
         segment: std::array::from_fn(|_| {
-            let start = source.unit() * 4.0;
+            // From the entry on, near it, or far away.
+            let scale = [1.0, 1.0, 1.0, 1e-300, 1e-9, 1e18][source.below(6) as usize];
+            let start = [0.0, source.unit() * 4.0][source.below(4).min(1) as usize];
+            let width = [0.0, source.unit() * 4.0][source.below(4).min(1) as usize];
             Interval {
-                lo: start,
-                hi: start
-                    + if source.below(4) == 0 {
-                        0.0
-                    } else {
-                        source.unit() * 4.0
-                    },
+                lo: start * scale,
+                hi: (start + width) * scale,
             }
         }),
     }
@@ -125,7 +137,8 @@ fn violations(isa: Isa, rounds: usize) -> usize {
             let choice = source.bits();
             let c = [0, 1, 2].map(|i| {
                 let c = leaf.coefficients[i][lane];
-                if choice >> i & 1 == 0 { c.lo } else { c.hi }
+                let x = if choice >> i & 1 == 0 { c.lo } else { c.hi };
+                x.clamp(f64::MIN, f64::MAX)
             });
             let segment = leaf.segment[lane];
             for t in samples(&mut source, c, segment) {

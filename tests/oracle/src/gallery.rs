@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 use zeroset::camera::{Camera, Ray};
+use zeroset::contract::{Auto, Contractor};
 use zeroset::scene::Scene;
 use zeroset::solve::Settings;
 use zeroset::surface::Surface;
@@ -15,7 +16,7 @@ use crate::polynomials;
 use crate::segment::Corners;
 use crate::sturm::Poly;
 use crate::sum::Sum;
-use crate::surfaces::{DoubledSphere, Ellipsoid, Exponentials, Sphere, Torus, TorusQuartic};
+use crate::surfaces::{DoubledSphere, Ellipsoid, Exponentials, Pole, Sphere, Torus, TorusQuartic};
 
 /// The box of all pictures.
 pub const CORNERS: Corners = [[-1.0; 3], [1.0; 3]];
@@ -42,12 +43,23 @@ fn from(name: &'static str, scale: f64, degrees: f64) -> (&'static str, Camera) 
 fn picture<S: Surface + 'static>(
     name: &str,
     surface: S,
+    view: (&str, Camera),
+    oracle: impl Oracle + Send + 'static,
+) -> Picture {
+    picture_by::<Auto, S>(name, surface, view, oracle)
+}
+
+fn picture_by<C: Contractor, S: Surface + 'static>(
+    name: &str,
+    surface: S,
     (view, camera): (&str, Camera),
     oracle: impl Oracle + Send + 'static,
 ) -> Picture {
     Picture {
         name: format!("{name}, {view}"),
-        scene: Scene::new().with(surface).within(CORNERS[0], CORNERS[1]),
+        scene: Scene::new()
+            .with_solver::<C, _>(surface)
+            .within(CORNERS[0], CORNERS[1]),
         corners: CORNERS,
         camera,
         settings: Settings::default(),
@@ -129,5 +141,20 @@ pub fn controls() -> Vec<Picture> {
     let mut all = polynomial_pictures();
     all.retain(|p| p.name.ends_with("oblique"));
     all.extend(sums(2..=2));
+    all
+}
+
+/// A solver's pictures: a pole, and surfaces with silhouettes.
+pub fn by<C: Contractor>() -> Vec<Picture> {
+    let view = oblique();
+    let torus = Polynomial(|ray: &Ray| polynomials::torus(ray, 0.6, 0.25));
+    let mut all = vec![
+        picture_by::<C, _>("pole", Pole, view, Polynomial(polynomials::pole)),
+        picture_by::<C, _>("sphere", Sphere, view, Polynomial(polynomials::sphere)),
+        picture_by::<C, _>("torus", Torus::default(), view, torus),
+    ];
+    for picture in &mut all {
+        picture.settings.closed_forms = false;
+    }
     all
 }

@@ -61,3 +61,9 @@ pub fn torus_quartic(ray: &Ray) -> Poly {
     let flat = p[0].square().add(&p[1].square());
     shifted.square().sub(&flat.times(400 * 400 / 25 * 36))
 }
+
+/// 1 − 5x, which is x·(1/x − 5): the same roots, as x = 0 is none.
+pub fn pole(ray: &Ray) -> Poly {
+    let [x, ..] = coordinates(ray);
+    whole(1).sub(&x.times(5))
+}

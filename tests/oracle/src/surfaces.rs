@@ -60,3 +60,10 @@ implicit! {
             + d*(x - u)*(y - v) + e*(x - u)*(z - w) + f*(y - v)*(z - w)))
     }
 }
+
+implicit! {
+    /// A plane, x = 1/5, and a pole at x = 0, where the sign changes without a root.
+    #[derive(Clone)]
+    pub struct Pole;
+    1/x - 5
+}

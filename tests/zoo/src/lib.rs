@@ -6,6 +6,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod nodes;
 pub mod surfaces;
 pub mod text;
 

@@ -70,11 +70,11 @@ impl<R: Rounding> Sealed for Avx2<R> {}
 impl<R: Rounding> Lanes for Avx2<R> {
     type F = Pair;
     type M = Pair;
+    type Rounding = R;
     const LANES: usize = 8;
     const FUSED: bool = true;
     const NAME: &'static str =
         R::MODE.name(["avx2", "avx2-unrounded", "avx2-too-tight", "avx2-unguarded"]);
-    const DIRECTED: bool = R::HOLDS;
     const OPTIMAL: bool = false;
 
     #[inline(always)]

@@ -64,6 +64,7 @@ impl<R: Rounding> Sealed for Avx512<R> {}
 impl<R: Rounding> Lanes for Avx512<R> {
     type F = __m512d;
     type M = __mmask8;
+    type Rounding = R;
     const LANES: usize = 8;
     const FUSED: bool = true;
     const NAME: &'static str = R::MODE.name([
@@ -72,7 +73,6 @@ impl<R: Rounding> Lanes for Avx512<R> {
         "avx512-too-tight",
         "avx512-unguarded",
     ]);
-    const DIRECTED: bool = R::HOLDS;
     const OPTIMAL: bool = true;
     const INLINES_LONG: bool = true;
 

@@ -1,13 +1,15 @@
 //! √(a² + b²) on packets, without overflow or underflow on the way.
 //!
 //! Both operands are multiplied by a power of two where the larger one is above 2⁵⁰⁰ or below 2⁻⁴⁵⁰, so that the larger
-//! square is a normal number. Squares, sum and root are rounded outward, each of them monotone, and the root is scaled back
-//! exactly (or rounded outward in subnormals). Roundings of squares and sum count half: at a point each bound is within 4u
-//! of the root with directed instructions, within 6u without, relatively, u = 2⁻⁵³. That is at most 8 or 12 units wide in the
-//! last place; 3 and 7 were seen.
+//! square is a normal number, and the root is multiplied back. With directed instructions each operation rounds outward.
+//! Otherwise all round to nearest, and one step outward follows: the squares and the sum err by u = 2⁻⁵³ each, which is
+//! u together in the root, and the root by another u; what underflows is below 2⁻¹⁷⁰ of the sum. At a point each bound is
+//! within 2u of the root with directed instructions, within 5u without, relatively (2u + the step of 3u): at most 4 or 10
+//! units wide in the last place.
 
 use super::super::enclose::Enclose;
 use super::super::{Interval, Lanes};
+use super::outward::{above, below};
 
 /// 2ⁿ
 const fn power(n: i32) -> f64 {
@@ -38,28 +40,35 @@ fn scale<P: Lanes>(p: P, a: P::F, b: P::F) -> (P::F, P::F) {
     )
 }
 
-/// A lower bound for finite a, b ≥ 0. What underflows when it is scaled down has a square that rounds down to 0.
+/// A lower bound for finite a, b ≥ 0.
 #[inline(always)]
 fn lower<P: Lanes>(p: P, a: P::F, b: P::F) -> P::F {
-    let zero = p.splat(0.0);
+    if !P::OPTIMAL {
+        return below(p, nearest(p, a, b), 2);
+    }
     let (factor, inverse) = scale(p, a, b);
-    let (a, b) = (p.mul_rn(a, factor), p.mul_rn(b, factor));
-    let square = p.add_rd(p.mul_nonneg_rd(a, a), p.mul_nonneg_rd(b, b));
-    let root = p.max_f(p.sqrt_rd(p.max_f(square, zero)), zero);
-    // The product may overflow, or round up in subnormals. Multiplied back it is exact.
-    let bound = p.mul_rn(root, inverse);
-    p.select(p.lt(root, p.mul_rn(bound, factor)), p.before(bound), bound)
+    let (a, b) = (p.mul_rd(a, factor), p.mul_rd(b, factor));
+    let root = p.sqrt_rd(p.fma_rd(a, a, p.mul_rd(b, b)));
+    p.mul_rd(root, inverse)
 }
 
 /// An upper bound for a, b ≥ 0.
 #[inline(always)]
 fn upper<P: Lanes>(p: P, a: P::F, b: P::F) -> P::F {
+    if !P::OPTIMAL {
+        return above(p, nearest(p, a, b), 2);
+    }
     let (factor, inverse) = scale(p, a, b);
-    // What underflows when it is scaled down is replaced by something larger.
-    let least = p.splat(power(-1000));
-    let a = p.max_f(p.mul_rn(a, factor), p.min_f(a, least));
-    let b = p.max_f(p.mul_rn(b, factor), p.min_f(b, least));
-    let root = p.sqrt_ru(p.add_ru(p.mul_nonneg_ru(a, a), p.mul_nonneg_ru(b, b)));
-    let bound = p.mul_rn(root, inverse);
-    p.select(p.lt(p.mul_rn(bound, factor), root), p.after(bound), bound)
+    let (a, b) = (p.mul_ru(a, factor), p.mul_ru(b, factor));
+    let root = p.sqrt_ru(p.fma_ru(a, a, p.mul_ru(b, b)));
+    p.mul_ru(root, inverse)
+}
+
+/// To nearest, for a, b ≥ 0.
+#[inline(always)]
+fn nearest<P: Lanes>(p: P, a: P::F, b: P::F) -> P::F {
+    let (factor, inverse) = scale(p, a, b);
+    let (a, b) = (p.mul_rn(a, factor), p.mul_rn(b, factor));
+    let root = p.sqrt_rn(p.fma_rn(a, a, p.mul_rn(b, b)));
+    p.mul_rn(root, inverse)
 }

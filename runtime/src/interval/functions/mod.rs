@@ -14,6 +14,7 @@ pub(super) mod inverse_hyperbolic;
 pub(super) mod ln;
 mod logarithm;
 mod neighbours;
+pub(super) mod outward;
 pub(super) mod power;
 pub(super) mod real_power;
 mod remainder;

@@ -4,8 +4,8 @@ use super::super::lanes::WHOLE;
 use super::super::{Lanes, Scalar};
 use super::two_fold::two_product;
 
-/// x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ ulp(r)/2; r + ρ is right to 2⁻¹⁰⁰ of itself, so its sign is too. Beyond 2²⁰
-/// k is what it is modulo 8.
+/// x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ 0.52·ulp(r); r + ρ is right to 2⁻¹⁰⁰ of itself, so its sign is too. Beyond
+/// 2²⁰ k is what it is modulo 8.
 #[derive(Clone, Copy)]
 pub struct Reduced<F> {
     /// A whole number.
@@ -14,6 +14,9 @@ pub struct Reduced<F> {
     pub r: F,
     /// What the remainder lacks.
     pub rho: F,
+    /// Rounds to how many odd multiples of π/2 are below x + `quarters`·π/2: (x + `quarters`·π/2)/π, nearly. Modulo 4
+    /// beyond 2²⁰.
+    pub turns: F,
 }
 
 /// π/2 in three parts; their sum errs by less than 2⁻¹⁶³.
@@ -30,54 +33,86 @@ const SMALL: f64 = 9.313225746154785e-10;
 
 /// The remainder of x. Infinite x gives 0.
 ///
-/// For |x| ≤ 2²⁰, in exact steps: k·P1 = h + l; r₀ = (x − h) − l (a multiple of 2⁻⁵³ below 1, so a double; x − h by
-/// Sterbenz); k·P2 = g + m with |g| < 2⁻³³; r₀ − g = a + b (Dekker: |r₀| > |g|, for |r| ≥ 2⁻³⁰, else the long way). Then
-/// r + ρ = a + ((b − m) − k·P3), where only the last two differences round: with |b| ≤ 2⁻⁵³|a|, |m| ≤ 2⁻⁸⁶ and
-/// |k·P3| ≤ 2⁻⁸⁸ they err by less than 2⁻¹⁰⁴|a| + 2⁻¹³⁸, and the parts of π/2 by less than 2⁻¹⁴³. For k = 0 all is exact.
+/// For |x| ≤ 2²⁰ and |r| ≥ 2⁻³⁰: k·P1 = h + l exactly and r₀ = (x − h) − l, a multiple of 2⁻⁵³ below 1, so a double (x − h by
+/// Sterbenz). With fused operations r is r₀ − k·P2, and what it lacks is the rounding of (r₀ − r) − k·P2, whose
+/// difference is exact (Sterbenz: |k·P2| < 2⁻³³), less k·P3, rounded again. |k·P3| < 2⁻⁸⁹, so these two roundings err by less
+/// than 2⁻¹⁰⁶|r| + 2⁻¹⁴², and the parts of π/2 by less than 2⁻¹⁴³. Without fused operations see [`split`]. For k = 0 all is
+/// exact, and |r| = |x|.
+///
+/// x/π errs by less than 2⁻³³, which is less than |r|/π is, so `turns` rounds to the right number; it need not where the
+/// interval around a zero of x makes an extremum of the cosine, whose bound is 1 at such an x.
 #[inline(always)]
-pub fn reduce<P: Lanes>(p: P, x: P::F) -> Reduced<P::F> {
-    let shift = p.splat(WHOLE);
-    let k = p.sub_rn(p.fma_rn(x, p.splat(f64::from_bits(I1)), shift), shift);
-    let r0 = if P::FUSED {
-        p.fma_rn(k, p.splat(-f64::from_bits(P1)), x)
-    } else {
-        let (h, l) = two_product(p, k, p.splat(f64::from_bits(P1)));
-        p.sub_rn(p.sub_rn(x, h), l)
-    };
-    let (g, m) = two_product(p, k, p.splat(f64::from_bits(P2)));
-    let a = p.sub_rn(r0, g);
-    let b = p.sub_rn(p.sub_rn(r0, a), g);
-    let tail = p.sub_rn(p.sub_rn(b, m), p.mul_rn(k, p.splat(f64::from_bits(P3))));
-    let r = p.add_rn(a, tail);
-    let rho = p.sub_rn(tail, p.sub_rn(r, a));
-    let near = Reduced { k, r, rho };
-
-    let far = p.lt(p.splat(LIMIT), p.abs_f(x));
-    let cancelled = p.and_not(p.lt(p.abs_f(r), p.splat(SMALL)), p.eq(k, p.splat(0.0)));
-    let long = p.or(far, cancelled);
-    if p.any(long) {
-        long_way(p, x, near, long)
+pub fn reduce<P: Lanes>(p: P, x: P::F, quarters: f64) -> Reduced<P::F> {
+    let (near, far) = near(p, x, quarters);
+    if p.any(far) {
+        long_way(p, x, near, far, quarters)
     } else {
         near
     }
 }
 
-/// Replaces the lanes in `long`, one by one, by exact integer arithmetic.
+/// [`reduce`] where three parts of π/2 do, and where they do not.
+#[inline(always)]
+pub fn near<P: Lanes>(p: P, x: P::F, quarters: f64) -> (Reduced<P::F>, P::M) {
+    let shift = p.splat(WHOLE);
+    let inverse = f64::from_bits(I1);
+    let k = p.sub_rn(p.fma_rn(x, p.splat(inverse), shift), shift);
+    let turns = p.fma_rn(x, p.splat(inverse / 2.0), p.splat(quarters / 2.0));
+    let (r, rho) = if P::FUSED {
+        let r0 = p.fma_rn(k, p.splat(-f64::from_bits(P1)), x);
+        let r = p.fma_rn(k, p.splat(-f64::from_bits(P2)), r0);
+        let rho = p.fma_rn(k, p.splat(-f64::from_bits(P2)), p.sub_rn(r0, r));
+        (r, p.fma_rn(k, p.splat(-f64::from_bits(P3)), rho))
+    } else {
+        split(p, x, k)
+    };
+    // A remainder less than x itself is one of a multiple other than 0.
+    let size = p.abs_f(x);
+    let cancelled = p.lt(p.abs_f(r), p.min_f(size, p.splat(SMALL)));
+    let far = p.or(cancelled, p.lt(p.splat(LIMIT), size));
+    (Reduced { k, r, rho, turns }, far)
+}
+
+/// r and ρ without fused operations: k·P1 = h + l, r₀ as above; k·P2 = g + m; r₀ − g = a + b (Dekker: |r₀| > |g|). Then
+/// r + ρ = a + ((b − m) − k·P3), where only the last two differences round: with |b| ≤ 2⁻⁵³|a|, |m| ≤ 2⁻⁸⁶ and
+/// |k·P3| ≤ 2⁻⁸⁸ they err by less than 2⁻¹⁰⁴|a| + 2⁻¹³⁸.
+#[inline(always)]
+fn split<P: Lanes>(p: P, x: P::F, k: P::F) -> (P::F, P::F) {
+    let (h, l) = two_product(p, k, p.splat(f64::from_bits(P1)));
+    let r0 = p.sub_rn(p.sub_rn(x, h), l);
+    let (g, m) = two_product(p, k, p.splat(f64::from_bits(P2)));
+    let a = p.sub_rn(r0, g);
+    let b = p.sub_rn(p.sub_rn(r0, a), g);
+    let tail = p.sub_rn(p.sub_rn(b, m), p.mul_rn(k, p.splat(f64::from_bits(P3))));
+    let r = p.add_rn(a, tail);
+    (r, p.sub_rn(tail, p.sub_rn(r, a)))
+}
+
+/// Replaces the lanes in `far`, one by one, by exact integer arithmetic.
 #[cold]
 #[inline(never)]
-fn long_way<P: Lanes>(p: P, x: P::F, near: Reduced<P::F>, long: P::M) -> Reduced<P::F> {
-    let (x, bits) = (p.to_array(x), p.bits(long));
+fn long_way<P: Lanes>(
+    p: P,
+    x: P::F,
+    near: Reduced<P::F>,
+    far: P::M,
+    quarters: f64,
+) -> Reduced<P::F> {
+    let (x, bits) = (p.to_array(x), p.bits(far));
     let (mut k, mut r, mut rho) = (p.to_array(near.k), p.to_array(near.r), p.to_array(near.rho));
+    let mut turns = p.to_array(near.turns);
     for lane in 0..P::LANES {
         if bits >> lane & 1 == 1 {
-            let exact = payne_hanek(x[lane]);
-            (k[lane], r[lane], rho[lane]) = (exact.k, exact.r, exact.rho);
+            (k[lane], r[lane], rho[lane]) = payne_hanek(x[lane]);
+            // For whole k, k/2 + ¼ rounds to ⌊(k + 1)/2⌋ and k/2 − ¼ to ⌊k/2⌋.
+            turns[lane] = (k[lane] + quarters) / 2.0 + 0.25_f64.copysign(r[lane]);
         }
     }
     Reduced {
         k: p.lanes(k),
         r: p.lanes(r),
         rho: p.lanes(rho),
+        turns: p.lanes(turns),
     }
 }
 
@@ -105,19 +140,15 @@ const TWO_OVER_PI: [u64; 20] = [
     0xf0cfbc209af4361d,
 ];
 
-/// The remainder of one x, after Payne and Hanek.
+/// (k, r, ρ) of one x, after Payne and Hanek.
 ///
 /// |x| = m·2ᵉ with 53-bit m. Words of 2/π that contribute multiples of 8 to |x|·2/π are left out; of the rest five
 /// suffice: what is cut off is below 2⁻²⁰⁰ of the quotient, whose distance from a whole number is above 2⁻⁶⁵ for every
 /// double (there are fewer than 2⁶⁴ of them). The fraction is taken to 192 bits, its leading 106 as two doubles, and
 /// multiplied by π/2 in double-double: an error below 2⁻¹⁰⁰ of the remainder.
-fn payne_hanek(x: f64) -> Reduced<f64> {
+fn payne_hanek(x: f64) -> (f64, f64, f64) {
     if !x.is_finite() || x == 0.0 {
-        return Reduced {
-            k: 0.0,
-            r: 0.0,
-            rho: 0.0,
-        };
+        return (0.0, 0.0, 0.0);
     }
     let bits = x.to_bits();
     let biased = (bits >> 52 & 0x7ff) as i64;
@@ -166,11 +197,7 @@ fn payne_hanek(x: f64) -> Reduced<f64> {
     let rho = tail - (r - product);
     let sign = if beyond != (x < 0.0) { -1.0 } else { 1.0 };
     let k = if x < 0.0 { (8 - k) & 7 } else { k & 7 };
-    Reduced {
-        k: k as f64,
-        r: sign * r,
-        rho: sign * rho,
-    }
+    (k as f64, sign * r, sign * rho)
 }
 
 /// The leading 106 bits of a fraction of 192 (most significant word last) as two doubles.
@@ -203,18 +230,19 @@ mod tests {
     fn the_long_way_agrees_with_the_short_one() {
         let mut x = 0.8;
         while x < LIMIT {
-            let (short, long) = (reduce(Scalar, x), payne_hanek(x));
-            assert_eq!(short.k.rem_euclid(8.0), long.k, "{x}");
-            assert_eq!(short.r, long.r, "{x}");
-            assert!(
-                (short.rho - long.rho).abs() <= 1e-30,
-                "{x}: {} {}",
-                short.rho,
-                long.rho
+            let short = reduce(Scalar, x, 0.0);
+            let (k, r, rho) = payne_hanek(x);
+            assert_eq!(short.k.rem_euclid(8.0), k, "{x}");
+            assert_eq!(short.r, r, "{x}");
+            assert!((short.rho - rho).abs() <= 1e-30, "{x}: {} {rho}", short.rho);
+            assert_eq!(
+                short.turns.round().rem_euclid(4.0),
+                (k / 2.0 + 0.25_f64.copysign(r)).round().rem_euclid(4.0),
+                "{x}"
             );
-            let negative = payne_hanek(-x);
-            assert_eq!((negative.k + long.k) % 8.0, 0.0, "{x}");
-            assert_eq!(negative.r, -long.r, "{x}");
+            let (minus_k, minus_r, _) = payne_hanek(-x);
+            assert_eq!((minus_k + k) % 8.0, 0.0, "{x}");
+            assert_eq!(minus_r, -r, "{x}");
             x *= 1.000_737;
         }
     }

@@ -127,6 +127,7 @@ impl<R: Rounding> Sealed for Portable<R> {}
 impl<R: Rounding> Lanes for Portable<R> {
     type F = F;
     type M = M;
+    type Rounding = R;
     const LANES: usize = 8;
     const FUSED: bool = false;
     const NAME: &'static str = R::MODE.name([
@@ -135,7 +136,6 @@ impl<R: Rounding> Lanes for Portable<R> {
         "portable-too-tight",
         "portable-unguarded",
     ]);
-    const DIRECTED: bool = R::HOLDS;
     const OPTIMAL: bool = false;
 
     #[inline(always)]

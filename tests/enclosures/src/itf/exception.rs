@@ -87,7 +87,7 @@ pub const EXCEPTIONS: &[Exception] = &[
         backends: WIDENING,
         only: |_, _, _| true,
         limit: 11,
-        reason: "repeated products, each widened by a unit on either side",
+        reason: "repeated products, widened by a unit for each on either side",
     },
 ];
 
