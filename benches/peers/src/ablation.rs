@@ -19,7 +19,7 @@ const CHANGES: [Change; 6] = [
         o.settings.plain_convergence = false
     }),
     ("no normals", |o| o.normals = false),
-    ("neither of these", |o| {
+    ("none of the three", |o| {
         o.settings.beams = false;
         o.settings.closed_forms = false;
         o.settings.plain_convergence = false;

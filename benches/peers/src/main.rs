@@ -74,6 +74,13 @@ fn main() {
     let wanted = |s| arguments.section.is_empty() || arguments.section.contains(&s);
     let mut shapes = shapes::all();
     shapes.retain(|s| s.name.contains(&arguments.shape));
+    if shapes.is_empty() {
+        eprintln!(
+            "no shape's name holds `{}`: leave --shape out to see all",
+            arguments.shape
+        );
+        std::process::exit(2);
+    }
     println!(
         "processor: {}; zeroset runs on `{}`; {} counted rounds, interleaved",
         timing::processor(),

@@ -206,7 +206,7 @@ fn barth() -> Shape {
             k = phi * phi,
             u = 3.61
         ),
-        60.0,
+        300.0,
         Some(0.95),
     )
 }
