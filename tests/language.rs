@@ -23,6 +23,15 @@ fn precedence() {
 }
 
 #[test]
+fn an_equation_may_begin_with_a_fold() {
+    implicit! { struct Nearest { rows: [[f64; 2]] } min([c, r] in rows) { (x - c)^2 - r } = 1 }
+    let nearest = Nearest {
+        rows: vec![[0.0, 1.0], [3.0, 2.0]],
+    };
+    assert_eq!(nearest.at([2.0, 0.0, 0.0]), -2.0);
+}
+
+#[test]
 fn equations_are_differences() {
     assert_eq!(value! { x^2 = y }, 11.0);
     assert_eq!(value! { max({ x = y }, z) }, 5.0);

@@ -191,14 +191,15 @@ impl Graph {
             return known;
         }
         let slope = match self.op(id).clone() {
-            Op::Leaf(k, order) => leaf(self, k, order + 1),
+            Op::Leaf(k, order, _) => leaf(self, k, order + 1),
             // Its degree is higher than any order that is asked for.
-            Op::Polynomial(k, order) => {
+            Op::Polynomial(k, order, of) => {
                 let info = self.info(id).clone();
                 let degree = info.degree.map(|d| d.saturating_sub(1));
                 self.polynomial(
                     k,
                     order + 1,
+                    of,
                     Info {
                         degree,
                         range: Range::LINE,

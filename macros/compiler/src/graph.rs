@@ -98,10 +98,12 @@ pub enum Op {
     /// A fold. `Sum`: `[body]`. `Product`: `[b]`, with derivatives `[b, b_u]` and `[b, b_u, b_v, b_uv]`.
     /// `Minimum`, `Maximum`: `[b]`, and `[b, d]` for the d of the row whose b is least or greatest.
     Fold(FoldKind, usize, Vec<Id>),
-    /// A leaf of the ray stage (index into the stage's leaves): value, slope or curvature along the ray.
-    Leaf(usize, u8),
-    /// A polynomial of higher degree over a segment (index into the stage's polynomials): value, slope or curvature.
-    Polynomial(usize, u8),
+    /// A leaf of the ray stage (index into the stage's leaves): value, slope or curvature along the ray. The node that it
+    /// stands for is part of its name: two formulas' leaves, or two rounds', are never taken for one another.
+    Leaf(usize, u8, Id),
+    /// A polynomial of higher degree over a segment (index into the stage's polynomials): value, slope or curvature; and
+    /// the node that it stands for.
+    Polynomial(usize, u8, Id),
 }
 
 /// What is known about a node's value.
@@ -257,8 +259,8 @@ impl Graph {
             Op::Binary(f, a, b) => format!("{} {}", f.entry().name, list(&[*a, *b])),
             Op::Choose(c, a, b, u) => format!("choose {} ({u:?})", list(&[*c, *a, *b])),
             Op::Fold(k, f, b) => format!("{k:?} over fold {f}: {}", list(b)).to_lowercase(),
-            Op::Leaf(k, n) => format!("leaf {k}{}", "'".repeat(*n as usize)),
-            Op::Polynomial(k, n) => format!("polynomial {k}{}", "'".repeat(*n as usize)),
+            Op::Leaf(k, n, _) => format!("leaf {k}{}", "'".repeat(*n as usize)),
+            Op::Polynomial(k, n, _) => format!("polynomial {k}{}", "'".repeat(*n as usize)),
             op => {
                 let word = match op {
                     Op::Negate(_) => "negate",

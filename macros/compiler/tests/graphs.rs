@@ -128,3 +128,15 @@ fn the_page_shows_what_is_made() {
         assert!(small.contains(block), "not in the fixture:\n{block}");
     }
 }
+
+/// What leaves a formula has is found in two rounds, and the first one's leaves must leave nothing behind: this maximum was
+/// decided by the range of another leaf of the same number.
+#[test]
+fn a_leaf_is_not_another_round_s() {
+    let formula =
+        formula("struct S; max(0.5 - exp(-4*(x^2 + y^2 + z^2)), 0.09 - (x^2 + y^2 + z^2))");
+    let (mut graph, root) = lowered(&formula, Graph::default());
+    let staged = Staged::new(&mut graph, root);
+    let value = graph.text(&[("f", staged.jet[0].unwrap())]);
+    assert!(value.contains("max") && value.contains("exp"), "{value}");
+}

@@ -59,7 +59,7 @@ impl Target for Enclosure<'_> {
                 let axis = Literal::usize_unsuffixed(*axis);
                 quote!(point[#axis])
             }
-            Op::Leaf(leaf, order) => {
+            Op::Leaf(leaf, order, _) => {
                 let (place, quadratic) = self.layout.leaf(*leaf)?;
                 leaf_value(&self.place(place), quadratic, *order)
             }

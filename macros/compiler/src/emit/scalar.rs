@@ -17,7 +17,8 @@ pub fn at(formula: &Formula) -> TokenStream {
     let value = match &formula.right {
         Some(right) => {
             let right = scalar.term(right);
-            quote!(#left - #right)
+            // A fold is a block, which must not begin a statement.
+            quote!(let value = #left - #right; value)
         }
         None => left,
     };

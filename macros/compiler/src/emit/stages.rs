@@ -291,7 +291,7 @@ impl Compiled<'_> {
         }
         let mut start = TokenStream::new();
         for id in self.graph.reachable(&targets, |_| false) {
-            if let Op::Polynomial(k, order) = *self.graph.op(id)
+            if let Op::Polynomial(k, order, _) = *self.graph.op(id)
                 && let Some(name) = names.get(k).and_then(|all| all.get(usize::from(order)))
             {
                 if self.graph.nonnegative(id) {

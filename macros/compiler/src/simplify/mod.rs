@@ -197,12 +197,12 @@ impl Graph {
     }
 
     /// A polynomial over a segment, or its slope (`order` 1) or curvature (2).
-    pub fn polynomial(&mut self, k: usize, order: u8, info: Info) -> Id {
-        self.intern(Op::Polynomial(k, order), |_| info)
+    pub fn polynomial(&mut self, k: usize, order: u8, of: Id, info: Info) -> Id {
+        self.intern(Op::Polynomial(k, order, of), |_| info)
     }
 
     /// A leaf of the ray stage, or its slope (`order` 1) or curvature (2).
-    pub fn leaf(&mut self, leaf: usize, order: u8, info: Info) -> Id {
-        self.intern(Op::Leaf(leaf, order), |_| info)
+    pub fn leaf(&mut self, leaf: usize, order: u8, of: Id, info: Info) -> Id {
+        self.intern(Op::Leaf(leaf, order, of), |_| info)
     }
 }

@@ -112,7 +112,7 @@ impl Staged {
         let k = self.polynomials.len();
         self.polynomials.push((id, degree));
         let of = graph.info(id).clone();
-        graph.polynomial(k, 0, of)
+        graph.polynomial(k, 0, id, of)
     }
 
     /// A leaf that stands for the node.
@@ -191,6 +191,7 @@ fn leaf_node(graph: &mut Graph, leaves: &[Leaf], k: usize, order: u8) -> Id {
     graph.leaf(
         k,
         order,
+        leaf.node,
         Info {
             degree: None,
             range,
