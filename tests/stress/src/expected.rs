@@ -58,6 +58,11 @@ impl Expected {
                 let near = |a: f64, b: f64| (a - b).abs() <= 0.1 * (to - from);
                 why == w && near(lo, *from) && near(hi, *to)
             }
+            (Expected::Hit(at, width), Verdict::Root { .. } | Verdict::Crossing { .. }) => {
+                around(*at, *width)
+            }
+            (Expected::Noise, Verdict::Unresolved { why, .. }) => *why != Why::Budget,
+            (Expected::Noise, Verdict::Tangent { .. } | Verdict::Crossing { .. }) => true,
             (Expected::Near(why, at), Verdict::Unresolved { why: w, .. }) => {
                 why == w && around(*at, 1e-6)
             }

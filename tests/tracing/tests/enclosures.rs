@@ -14,7 +14,7 @@ use zeroset::surface::Surface;
 implicit! { struct Cubic; x^3 - 2*x*y + z^2 - 0.125 }
 implicit! { struct Pole; y/x + z }
 implicit! { struct Step; if x > 0 { 1 + y } else { -1 + y } }
-implicit! { struct Third; x/3 }
+implicit! { struct Third; 1/(2 + x) }
 
 /// Coordinates are whole 256ths for t a multiple of 1/64, so that these functions are exact in `f64` (or correctly
 /// rounded, where they divide).

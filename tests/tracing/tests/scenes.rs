@@ -46,7 +46,8 @@ fn surfaces_in_one_place_are_tied() {
     let scene = Scene::new().with(ball(1.0)).with(ball(1.0));
     let picture = render(&scene, &camera(), &Options::new(16, 16)).unwrap();
     let s = picture.statistics();
-    assert!(s.root > 0 && s.tied == s.root, "{s}");
+    // Where the second surface is open at the first one's root, so is the ray.
+    assert!(s.root > 0 && s.tied == s.root + s.unresolved, "{s}");
 }
 
 #[test]
@@ -141,7 +142,7 @@ fn what_is_skipped_is_counted() {
     let without = render(&scene, &wide, &options).unwrap();
     let e = without.statistics().evaluations;
     assert_eq!((e.closed, e.gradient), (0, 0));
-    assert!(e.value > 100, "{e:?}");
+    assert!(e.value + e.slope > 100, "{e:?}");
 }
 
 /// Balls that the box cuts, blobs, two surfaces in two boxes.
@@ -341,8 +342,8 @@ fn all_roots_of_a_ball() {
         options.settings.closed_forms = closed_forms;
         let lists = all_roots(&Scene::new().with(ball(1.0)), &ray, &options).unwrap();
         let (entry, events) = &lists[0];
-        // Rounded down, by at most a few units in the last place.
-        assert!(*entry <= 0.5 && *entry > 0.5 - 1e-15, "{entry}");
+        // A little before the box, so that a root on its face is inside.
+        assert!(*entry <= 0.5 && *entry > 0.5 - 1e-12, "{entry}");
         // t is in units of the direction as given, from the entry.
         let expected = [1.0 - entry, 2.0 - entry];
         assert_eq!(events.len(), 2, "{events:?}");
