@@ -147,9 +147,11 @@ pub fn controls() -> Vec<Picture> {
 /// A solver's pictures: a pole, and surfaces with silhouettes.
 pub fn by<C: Contractor>() -> Vec<Picture> {
     let view = oblique();
+    // The pole lies before the root.
+    let behind = from("from behind", -1.0, 30.0);
     let torus = Polynomial(|ray: &Ray| polynomials::torus(ray, 0.6, 0.25));
     let mut all = vec![
-        picture_by::<C, _>("pole", Pole, view, Polynomial(polynomials::pole)),
+        picture_by::<C, _>("pole", Pole, behind, Polynomial(polynomials::pole)),
         picture_by::<C, _>("sphere", Sphere, view, Polynomial(polynomials::sphere)),
         picture_by::<C, _>("torus", Torus::default(), view, torus),
     ];
