@@ -102,8 +102,8 @@ pub trait Parameter<A: Arithmetic>: Copy {
     fn quadratic_slope(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
     /// 2c₂
     fn quadratic_curvature(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
-    /// A polynomial of higher degree and its first K − 1 derivatives, over a segment of rays; nothing for other
-    /// parameters, for which a formula is evaluated as it is written.
+    /// A polynomial of higher degree and its first K − 1 derivatives, over a segment of rays; nothing where a formula is
+    /// better evaluated as it is written, and for other parameters.
     #[inline(always)]
     fn polynomial<const N: usize, const K: usize>(
         self,

@@ -196,7 +196,7 @@ impl<P: Packet> Parameter<P> for Interval<P::F> {
         p: P,
         of: &Polynomial<P, N>,
     ) -> Option<[Interval<P::F>; K]> {
-        Some(of.ranges(p, &self))
+        of.telling(p, &self)
     }
 }
 

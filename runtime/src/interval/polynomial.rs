@@ -68,7 +68,20 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
     /// Enclosures of f and its first K − 1 derivatives over a segment.
     #[inline(always)]
     pub fn ranges<const K: usize>(&self, p: P, t: &Interval<P::F>) -> [Interval<P::F>; K] {
-        p.operation(Ranges { of: self, t })
+        p.operation(Ranges { of: self, t }).0
+    }
+
+    /// The same, but nothing where rounding makes out most of a range, in some lane: on narrow segments, beside roots of
+    /// high order, where coefficients overflow or are lost below 1e-300. What a formula says as it is written is then
+    /// narrower, and never wider by more.
+    #[inline(always)]
+    pub fn telling<const K: usize>(
+        &self,
+        p: P,
+        t: &Interval<P::F>,
+    ) -> Option<[Interval<P::F>; K]> {
+        let (ranges, blurred) = p.operation(Ranges { of: self, t });
+        (!p.any(blurred)).then_some(ranges)
     }
 }
 
@@ -78,10 +91,10 @@ struct Ranges<'a, P: Packet, const N: usize, const K: usize> {
 }
 
 impl<P: Packet, const N: usize, const K: usize> Routine<P> for Ranges<'_, P, N, K> {
-    type Output = [Interval<P::F>; K];
+    type Output = ([Interval<P::F>; K], P::M);
 
     #[inline(always)]
-    fn call(self, p: P) -> [Interval<P::F>; K] {
+    fn call(self, p: P) -> ([Interval<P::F>; K], P::M) {
         let Ranges { of, t } = self;
         let a = p.sub_rd(t.lo, of.middle);
         let w = p.sub_ru(p.sub_ru(t.hi, of.middle), a);
@@ -104,7 +117,11 @@ impl<P: Packet, const N: usize, const K: usize> Routine<P> for Ranges<'_, P, N, 
         if K > 2 {
             ranges[2] = hull::<P, N, 2>(p, &alpha, &powers, errors[2]);
         }
-        ranges
+        // Infinities and NaN tell nothing.
+        let width = p.sub_rn(ranges[0].hi, ranges[0].lo);
+        let told = p.lt(p.mul_rn(p.splat(4.0), errors[0]), width);
+        let told = p.and(told, p.lt(width, p.splat(f64::INFINITY)));
+        (ranges, p.not(told))
     }
 }
 
