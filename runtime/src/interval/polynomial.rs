@@ -75,11 +75,7 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
     /// high order, where coefficients overflow or are lost below 1e-300. What a formula says as it is written is then
     /// narrower, and never wider by more.
     #[inline(always)]
-    pub fn telling<const K: usize>(
-        &self,
-        p: P,
-        t: &Interval<P::F>,
-    ) -> Option<[Interval<P::F>; K]> {
+    pub fn telling<const K: usize>(&self, p: P, t: &Interval<P::F>) -> Option<[Interval<P::F>; K]> {
         let (ranges, blurred) = p.operation(Ranges { of: self, t });
         (!p.any(blurred)).then_some(ranges)
     }

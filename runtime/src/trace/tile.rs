@@ -194,8 +194,11 @@ pub(crate) fn segment<P: Packet>(
     )
 }
 
-/// Keeps the nearer root of each ray. The search ended at the nearest one so far, so a new one begins no later than that
-/// ends; where they overlap their order is open, and the one that begins first is shown.
+/// How far behind a root another surface is searched, relatively: beyond what noise hides of a root in the same place.
+const TIED: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// Keeps the nearer root of each ray. Where it overlaps the nearest one so far their order is open, and the one that begins
+/// first is shown.
 #[inline(always)]
 fn keep<P: Packet>(p: P, packet: &mut PacketRays, hit: P::M, t: &Interval<P::F>, index: u16) {
     let record = &mut packet.record;
@@ -204,12 +207,16 @@ fn keep<P: Packet>(p: P, packet: &mut PacketRays, hit: P::M, t: &Interval<P::F>,
     let apart = p.or(p.lt(t.hi, old_lo), p.lt(old_hi, t.lo));
     let tied = p.bits(p.and_not(hit, apart));
     let nearer_bits = p.bits(nearer);
-    record.tied = (record.tied & !p.bits(p.and(hit, apart))) | tied;
+    record.tied = (record.tied & !p.bits(p.and(nearer, apart))) | tied;
     record.shown |= nearer_bits;
     record.lo = p.to_array(p.select(nearer, t.lo, old_lo));
     record.hi = p.to_array(p.select(nearer, t.hi, old_hi));
     let limit = p.lanes(packet.limit);
-    packet.limit = p.to_array(p.select(hit, p.min_f(limit, t.hi), limit));
+    // A little further, so that a root of another surface in the same place can be proved too, and told to be tied.
+    let more = p.mul_ru(p.splat(8.0), p.sub_ru(t.hi, t.lo));
+    let more = p.max_f(more, p.mul_ru(t.hi, p.splat(TIED)));
+    let end = p.add_ru(t.hi, more);
+    packet.limit = p.to_array(p.select(hit, p.min_f(limit, end), limit));
     for (lane, surface) in record.surface.iter_mut().enumerate() {
         if nearer_bits >> lane & 1 != 0 {
             *surface = index;
