@@ -1,6 +1,6 @@
 //! The trait that `implicit!` implements.
 
-use crate::interval::{Arithmetic, Interval, Jet, Leaves, Packet, Parameter, Rebind};
+use crate::interval::{Arithmetic, Jet, Leaves, Packet, Parameter, Rebind};
 use crate::ray::Rays;
 
 /// An implicit surface f = 0, compiled from a formula by [`implicit!`](crate::implicit).
@@ -28,15 +28,6 @@ pub trait Surface: Send + Sync {
     fn prepare(&self) -> Self::Prepared;
     /// All rows and both sides of all choices.
     fn everything(prepared: &Self::Prepared) -> Active;
-    /// Drops from `active` the rows and choices that cannot matter on `rays` for `t`. May keep everything.
-    fn prune<P: Packet>(
-        _p: P,
-        _prepared: &Self::Prepared,
-        _rays: &Rays<P>,
-        _t: Interval<P::F>,
-        _active: &mut Active,
-    ) {
-    }
     /// Room for the ray stage, to be used again for packet after packet.
     fn unbound<L: Leaves>(p: L::Packet) -> Self::Bound<L>;
     /// The ray stage, for the active rows.

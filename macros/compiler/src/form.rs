@@ -1,6 +1,6 @@
 //! How far a formula is compiled. Users get [`Form::Staged`]; the others exist to be counted and measured beside it.
 
-use crate::graph::{Graph, Id, Op, operands};
+use crate::graph::{Graph, Id, Op, operands, operands_mut};
 use std::collections::HashMap;
 
 /// How far a formula is compiled.
@@ -86,31 +86,5 @@ impl Graph {
         }
         let info = self.info(id).clone();
         self.push(op, info)
-    }
-}
-
-fn operands_mut(op: &mut Op) -> Vec<&mut Id> {
-    match op {
-        Op::Literal(_)
-        | Op::Pi
-        | Op::Coordinate(_)
-        | Op::Field(..)
-        | Op::Row(..)
-        | Op::Counter(_)
-        | Op::Leaf(..)
-        | Op::Polynomial(..) => vec![],
-        Op::Negate(a) | Op::Power(a, _) | Op::Unary(_, a) | Op::AbsSlope(a) => vec![a],
-        Op::Add(a, b)
-        | Op::Subtract(a, b)
-        | Op::Multiply(a, b)
-        | Op::Divide(a, b)
-        | Op::RealPower(a, b)
-        | Op::Binary(_, a, b)
-        | Op::Less(a, b)
-        | Op::LessOrEqual(a, b)
-        | Op::Both(a, b)
-        | Op::Either(a, b) => vec![a, b],
-        Op::Choose(c, a, b, _) => vec![c, a, b],
-        Op::Fold(_, _, b) => b.iter_mut().collect(),
     }
 }

@@ -286,29 +286,41 @@ fn name(id: Id) -> String {
     format!("n{}", id.0)
 }
 
+/// The places of an operation's operands; `$iter` goes over those of a fold.
+macro_rules! places {
+    ($op:expr, $iter:ident) => {
+        match $op {
+            Op::Literal(_)
+            | Op::Pi
+            | Op::Coordinate(_)
+            | Op::Field(..)
+            | Op::Row(..)
+            | Op::Counter(_)
+            | Op::Leaf(..)
+            | Op::Polynomial(..) => vec![],
+            Op::Negate(a) | Op::Power(a, _) | Op::Unary(_, a) | Op::AbsSlope(a) => vec![a],
+            Op::Add(a, b)
+            | Op::Subtract(a, b)
+            | Op::Multiply(a, b)
+            | Op::Divide(a, b)
+            | Op::RealPower(a, b)
+            | Op::Binary(_, a, b)
+            | Op::Less(a, b)
+            | Op::LessOrEqual(a, b)
+            | Op::Both(a, b)
+            | Op::Either(a, b) => vec![a, b],
+            Op::Choose(c, a, b, _) => vec![c, a, b],
+            Op::Fold(_, _, all) => all.$iter().collect(),
+        }
+    };
+}
+
 /// The operands of an operation.
 pub fn operands(op: &Op) -> Vec<Id> {
-    match op {
-        Op::Literal(_)
-        | Op::Pi
-        | Op::Coordinate(_)
-        | Op::Field(..)
-        | Op::Row(..)
-        | Op::Counter(_)
-        | Op::Leaf(..)
-        | Op::Polynomial(..) => vec![],
-        Op::Negate(a) | Op::Power(a, _) | Op::Unary(_, a) | Op::AbsSlope(a) => vec![*a],
-        Op::Add(a, b)
-        | Op::Subtract(a, b)
-        | Op::Multiply(a, b)
-        | Op::Divide(a, b)
-        | Op::RealPower(a, b)
-        | Op::Binary(_, a, b)
-        | Op::Less(a, b)
-        | Op::LessOrEqual(a, b)
-        | Op::Both(a, b)
-        | Op::Either(a, b) => vec![*a, *b],
-        Op::Choose(c, a, b, _) => vec![*c, *a, *b],
-        Op::Fold(_, _, b) => b.clone(),
-    }
+    places!(op, iter).into_iter().copied().collect()
+}
+
+/// The same, to be replaced.
+pub fn operands_mut(op: &mut Op) -> Vec<&mut Id> {
+    places!(op, iter_mut)
 }

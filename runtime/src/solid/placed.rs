@@ -209,17 +209,6 @@ impl<S: Surface> Surface for Placed<S> {
         S::everything(&prepared.own)
     }
 
-    fn prune<P: Packet>(
-        p: P,
-        prepared: &Self::Prepared,
-        rays: &Rays<P>,
-        t: Interval<P::F>,
-        active: &mut Active,
-    ) {
-        let rays = own_rays(p, prepared, rays);
-        S::prune(p, &prepared.own, &rays, t, active);
-    }
-
     #[inline(always)]
     fn unbound<L: Leaves>(p: L::Packet) -> Self::Bound<L> {
         S::unbound::<L>(p)

@@ -3,7 +3,7 @@
 use core::any::Any;
 use core::marker::PhantomData;
 
-use super::Bind;
+use super::bound;
 use crate::beam::{
     Assemble, Bundle, Frame, Hint, OverBeams, Request, Scout, Shift, Slab, Space, Towards,
 };
@@ -32,14 +32,8 @@ impl<S: Surface> Kernel for AssembleLeaves<'_, S> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> Option<Leaves> {
+        let along = bound::<S, P>(p, self.prepared, &self.frame.lines(p));
         let active = S::everything(self.prepared);
-        let mut along = S::unbound::<P>(p);
-        p.call(Bind::<S, P> {
-            prepared: self.prepared,
-            rays: &self.frame.lines(p),
-            active: &active,
-            bound: &mut along,
-        });
         let mut over = S::unbound::<OverBeams<P>>(p);
         S::rebind(&Assemble(p), &along, &active, &mut over).then(|| Box::new(over) as Leaves)
     }

@@ -44,6 +44,19 @@ impl<S: Surface, P: Packet> Routine<P> for Bind<'_, S, P> {
     }
 }
 
+/// The ray stage with all rows, in new room.
+#[inline(always)]
+fn bound<S: Surface, P: Packet>(p: P, prepared: &S::Prepared, rays: &Rays<P>) -> S::Bound<P> {
+    let mut bound = S::unbound::<P>(p);
+    p.call(Bind::<S, P> {
+        prepared,
+        rays,
+        active: &S::everything(prepared),
+        bound: &mut bound,
+    });
+    bound
+}
+
 /// A surface bound to the rays of one packet, and the count of its evaluations.
 struct OnRays<'a, S: Surface, P: Packet> {
     entries: Entries<'a, S, P>,

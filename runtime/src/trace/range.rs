@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, Entries};
+use super::{Entries, bound};
 use crate::camera::Ray;
 use crate::enclosure::{Enclosure, Range};
 use crate::interval::{Interval, Kernel, Packet};
@@ -26,14 +26,7 @@ impl<S: Surface, E: Enclosure> Kernel for RangeAlong<'_, S, E> {
         let entry = p.splat(self.t.lo);
         let length = p.sub_ru(p.splat(self.t.hi), entry);
         let rays = Rays::recentred(p, &Lines::same(self.ray), entry, length);
-        let active = S::everything(self.prepared);
-        let mut bound = S::unbound(p);
-        p.call(Bind::<S, P> {
-            prepared: self.prepared,
-            rays: &rays,
-            active: &active,
-            bound: &mut bound,
-        });
+        let bound = bound::<S, P>(p, self.prepared, &rays);
         let entries = Entries::<S, P> {
             prepared: self.prepared,
             bound: &bound,

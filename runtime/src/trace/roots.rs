@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, Entries, FirstRoots, OnRays};
+use super::{Entries, FirstRoots, OnRays, bound};
 use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
@@ -55,14 +55,7 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             ..Trail::default()
         };
         let rays = Rays::recentred(p, &lines, span.near, length);
-        let active = S::everything(self.prepared);
-        let mut bound = S::unbound(p);
-        p.call(Bind::<S, P> {
-            prepared: self.prepared,
-            rays: &rays,
-            active: &active,
-            bound: &mut bound,
-        });
+        let bound = bound::<S, P>(p, self.prepared, &rays);
         let mut surface = OnRays {
             entries: Entries::<S, P> {
                 prepared: self.prepared,

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, Entries};
+use super::{Entries, bound};
 use crate::interval::{Interval, Kernel, Packet, Routine};
 use crate::ray::Rays;
 use crate::render::tile::PacketRays;
@@ -91,14 +91,7 @@ impl<S: Surface> Kernel for Survey<'_, S> {
             direction: self.beam.direction.each_ref().map(spread),
             end: p.splat(self.beam.end),
         };
-        let active = S::everything(self.prepared);
-        let mut bound = S::unbound::<P>(p);
-        p.call(Bind::<S, P> {
-            prepared: self.prepared,
-            rays: &rays,
-            active: &active,
-            bound: &mut bound,
-        });
+        let bound = bound::<S, P>(p, self.prepared, &rays);
         let entries = Entries::<S, P> {
             prepared: self.prepared,
             bound: &bound,

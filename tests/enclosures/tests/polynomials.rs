@@ -156,11 +156,11 @@ fn the_hull_is_that_of_the_bernstein_coefficients() {
         };
         for (range, (lo, hi)) in isa.run(&given).into_iter().zip(expected) {
             assert!(
-                range[0].lo <= lo && range[0].lo > lo - 1e-12,
+                range[0].lo <= lo && range[0].lo > lo - 3e-13,
                 "{isa}: {range:?}"
             );
             assert!(
-                range[0].hi >= hi && range[0].hi < hi + 1e-12,
+                range[0].hi >= hi && range[0].hi < hi + 3e-13,
                 "{isa}: {range:?}"
             );
         }

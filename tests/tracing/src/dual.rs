@@ -237,15 +237,6 @@ impl<F: Formula> Surface for Hand<F> {
         Active::default()
     }
     #[inline(always)]
-    fn prune<P: Packet>(
-        _p: P,
-        _prepared: &F,
-        _rays: &Rays<P>,
-        _t: Interval<P::F>,
-        _active: &mut Active,
-    ) {
-    }
-    #[inline(always)]
     fn unbound<L: Leaves>(p: L::Packet) -> [L::Linear; 3] {
         [L::linear(p); 3]
     }

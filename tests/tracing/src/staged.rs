@@ -101,15 +101,6 @@ impl Surface for Blobs {
         Active::default()
     }
     #[inline(always)]
-    fn prune<P: Packet>(
-        _p: P,
-        _prepared: &Blobs,
-        _rays: &Rays<P>,
-        _t: Interval<P::F>,
-        _active: &mut Active,
-    ) {
-    }
-    #[inline(always)]
     fn unbound<L: Leaves>(_p: L::Packet) -> Vec<L::Quadratic> {
         Vec::new()
     }
@@ -283,15 +274,6 @@ impl Surface for Ball {
     #[inline(always)]
     fn everything(_prepared: &Interval) -> Active {
         Active::default()
-    }
-    #[inline(always)]
-    fn prune<P: Packet>(
-        _p: P,
-        _prepared: &Interval,
-        _rays: &Rays<P>,
-        _t: Interval<P::F>,
-        _active: &mut Active,
-    ) {
     }
     #[inline(always)]
     fn unbound<L: Leaves>(p: L::Packet) -> L::Quadratic {
