@@ -333,9 +333,6 @@ impl<'a> Job<'a> {
         let clock = Instant::now();
         for ((job, surface), hints) in surfaces.iter().zip(&self.prepared).zip(hints) {
             if hints[k].open {
-                if job.beams.is_none() {
-                    tile.missed = 0;
-                }
                 surface.trace(job, hints[k], tile);
             }
         }
