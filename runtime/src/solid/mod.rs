@@ -1,7 +1,7 @@
 //! Solids: intersections, unions, differences and complements of surfaces, by the certain roots of each.
 //!
 //! A point is inside a surface where f < 0. `a & b` is inside both, `a | b` inside one at least, `a - b` inside a and not
-//! b, and `!a` is the complement; they nest at will. A [`Solid`] goes into a [`Scene`](crate::Scene) like a surface.
+//! b, and `!a` is the complement; they nest at will. A [`Solid`] goes into a [`Scene`] like a surface.
 //!
 //! ```
 //! use zeroset::glam::{DAffine3, DVec3, Vec3, dvec3};
