@@ -1,6 +1,6 @@
 //! The trait that `implicit!` implements.
 
-use crate::interval::{Arithmetic, Jet, Leaves, Packet, Parameter, Rebind};
+use crate::interval::{Arithmetic, Flags, Interval, Jet, Leaves, Packet, Parameter, Rebind};
 use crate::ray::Rays;
 
 /// An implicit surface f = 0, compiled from a formula by [`implicit!`](crate::implicit).
@@ -38,7 +38,7 @@ pub trait Surface: Send + Sync {
         active: &Active,
         bound: &mut Self::Bound<P>,
     );
-    /// Makes other leaves of the leaves `from`, for the rows of `active`, which are among those of `from`. False, without
+    /// Makes other leaves of the leaves `from`, which has all rows, for the rows of `active`. False, without
     /// any work, from a surface that has no leaves: it cannot be traced in beams.
     fn rebind<R: Rebind>(
         _map: &R,
@@ -47,6 +47,16 @@ pub trait Surface: Send + Sync {
         _to: &mut Self::Bound<R::To>,
     ) -> bool {
         false
+    }
+
+    /// The terms of the active rows over a segment, for the folds whose rows may be left out.
+    fn terms<A: Arithmetic, T: Parameter<A>>(
+        _a: A,
+        _prepared: &Self::Prepared,
+        _bound: &Self::Bound<T::Leaves>,
+        _t: T,
+        _to: &mut impl Terms<A>,
+    ) {
     }
 
     /// f over a segment.
@@ -147,11 +157,98 @@ pub enum Continuity {
     Smooth,
 }
 
-/// The rows of tables that can matter on a tile, and the choices that are decided there.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// What of its tables a surface visits.
+#[derive(Debug, Default, PartialEq)]
 pub struct Active {
-    /// For each outermost fold, the rows to visit, in ascending order.
+    /// For each outermost fold, the rows to visit.
     pub rows: Vec<Vec<u32>>,
+    /// How many of them, from the first, a rough look visits.
+    pub rough: Vec<usize>,
+    /// For each sum that may leave out rows: what these add, wherever this list is used.
+    pub rest: Vec<Rest>,
+}
+
+/// What the rows of a sum add that are left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest {
+    /// Those that are not in the list.
+    pub all: Interval,
+    /// Those that a rough look does not visit.
+    pub rough: Interval,
+}
+
+impl Active {
+    /// All rows of folds of these lengths, for a formula with so many sums.
+    #[must_use]
+    pub fn everything(lengths: &[usize], sums: usize) -> Self {
+        let nothing = Interval { lo: 0.0, hi: 0.0 };
+        let rest = Rest {
+            all: nothing,
+            rough: nothing,
+        };
+        Active {
+            rows: lengths.iter().map(|n| (0..*n as u32).collect()).collect(),
+            rough: lengths.to_vec(),
+            rest: vec![rest; sums],
+        }
+    }
+
+    /// How many rows of a list a look visits.
+    #[inline(always)]
+    #[must_use]
+    pub fn visited(&self, list: usize, rough: bool) -> usize {
+        if rough {
+            self.rough[list]
+        } else {
+            self.rows[list].len()
+        }
+    }
+
+    /// What the rows add that it does not visit.
+    #[inline(always)]
+    #[must_use]
+    pub fn rest(&self, sum: usize, rough: bool) -> &Interval {
+        let rest = &self.rest[sum];
+        if rough { &rest.rough } else { &rest.all }
+    }
+
+    /// Is there a choice between rows?
+    pub(crate) fn is_list(&self) -> bool {
+        self.rows.iter().any(|rows| rows.len() > 1)
+    }
+}
+
+impl Clone for Active {
+    fn clone(&self) -> Self {
+        Active {
+            rows: self.rows.clone(),
+            rough: self.rough.clone(),
+            rest: self.rest.clone(),
+        }
+    }
+    /// Keeps the room.
+    fn clone_from(&mut self, from: &Self) {
+        self.rows.clone_from(&from.rows);
+        self.rough.clone_from(&from.rough);
+        self.rest.clone_from(&from.rest);
+    }
+}
+
+/// A row of a table, in turn.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The fold, as an index of [`Active::rows`].
+    pub list: usize,
+    /// The row's place in that list.
+    pub at: usize,
+}
+
+/// Receives the terms of sums, and what minima and maxima choose from, row by row.
+pub trait Terms<A: Arithmetic> {
+    /// A term of the sum with this index in [`Active::rest`].
+    fn term(&mut self, row: Row, sum: usize, term: A::Value, flags: Flags<A::Packet>);
+    /// A number of a row, where the least of all rows' is taken: which of such minima, and the number.
+    fn candidate(&mut self, row: Row, minimum: usize, number: A::Value, flags: Flags<A::Packet>);
 }
 
 impl Report {

@@ -26,6 +26,12 @@ pub(crate) struct Single {
     pub plane: [f64; 3],
 }
 
+impl Default for Hint {
+    fn default() -> Self {
+        Hint::OPEN
+    }
+}
+
 impl Hint {
     /// Does every ray of the beam have a root inside the surface's box?
     pub fn is_full(&self) -> bool {

@@ -242,6 +242,10 @@ impl<P: Packet> QuadraticOver<P> {
 impl<P: Packet> Parameter<P> for Slab<P::F> {
     type Leaves = OverBeams<P>;
     #[inline(always)]
+    fn rough(self) -> bool {
+        true
+    }
+    #[inline(always)]
     fn linear(self, p: P, leaf: &LinearOver<P>) -> Interval<P::F> {
         let x = p.mul_nonneg_ru(self.half[0], p.magnitude(leaf.side[0]));
         let y = p.mul_nonneg_ru(self.half[1], p.magnitude(leaf.side[1]));
@@ -288,6 +292,8 @@ pub enum Direction {
     Right,
     /// By y.
     Up,
+    /// In each of these: what is enclosed holds all three.
+    Any,
 }
 
 /// A slab, and the derivative in a direction.
@@ -322,6 +328,11 @@ impl<F: Copy> Towards<F> {
 
 impl<P: Packet> Parameter<P> for Towards<P::F> {
     type Leaves = OverBeams<P>;
+    /// What is to be known in any direction is which rows matter.
+    #[inline(always)]
+    fn rough(self) -> bool {
+        self.direction != Direction::Any
+    }
     #[inline(always)]
     fn linear(self, p: P, leaf: &LinearOver<P>) -> Interval<P::F> {
         self.over.linear(p, leaf)
@@ -332,6 +343,10 @@ impl<P: Packet> Parameter<P> for Towards<P::F> {
             Direction::Along => self.along(p, leaf.middle.c1, leaf.side[0], leaf.side[1]),
             Direction::Right => leaf.side[0],
             Direction::Up => leaf.side[1],
+            Direction::Any => {
+                let along = self.along(p, leaf.middle.c1, leaf.side[0], leaf.side[1]);
+                p.hull(along, p.hull(leaf.side[0], leaf.side[1]))
+            }
         }
     }
     #[inline(always)]
@@ -342,44 +357,53 @@ impl<P: Packet> Parameter<P> for Towards<P::F> {
     fn quadratic_slope(self, p: P, leaf: &QuadraticOver<P>) -> Interval<P::F> {
         let over = &self.over;
         match self.direction {
-            Direction::Along => self.along(
-                p,
-                leaf.by_t(p, over),
-                leaf.by_side(p, over, 0),
-                leaf.by_side(p, over, 1),
-            ),
             Direction::Right => leaf.by_side(p, over, 0),
             Direction::Up => leaf.by_side(p, over, 1),
-        }
-    }
-    /// The second derivative in the direction: of x(t) = x₀ + at, |a| ≤ `turn`, along a ray.
-    #[inline(always)]
-    fn quadratic_curvature(self, p: P, leaf: &QuadraticOver<P>) -> Interval<P::F> {
-        match self.direction {
-            Direction::Right => doubled(p, leaf.square[0]),
-            Direction::Up => doubled(p, leaf.square[1]),
-            Direction::Along => {
-                // wᵀHw with w = (1 ± tilt, ± turn, ± turn).
-                let [a, b] = self.turn;
-                let one = p.splat(1.0);
-                let rate = Interval {
-                    lo: p.sub_rd(one, self.tilt),
-                    hi: p.add_ru(one, self.tilt),
-                };
-                let side = |r: P::F| Interval {
-                    lo: p.neg_f(r),
-                    hi: r,
-                };
-                let (x, y) = (side(a), side(b));
-                let mixed = p.add(p.mul(x, leaf.side[0].c1), p.mul(y, leaf.side[1].c1));
-                let squares = p.add(
-                    p.mul(p.sqr(x), leaf.square[0]),
-                    p.mul(p.sqr(y), leaf.square[1]),
-                );
-                let rest = p.add(squares, p.mul(p.mul(x, y), leaf.mixed));
-                let t = p.mul(p.sqr(rate), leaf.middle.c2);
-                doubled(p, p.add(p.add(t, p.mul(rate, mixed)), rest))
+            Direction::Along | Direction::Any => {
+                let side = [leaf.by_side(p, over, 0), leaf.by_side(p, over, 1)];
+                let along = self.along(p, leaf.by_t(p, over), side[0], side[1]);
+                match self.direction {
+                    Direction::Any => p.hull(along, p.hull(side[0], side[1])),
+                    _ => along,
+                }
             }
         }
+    }
+    /// The second derivative in the direction.
+    #[inline(always)]
+    fn quadratic_curvature(self, p: P, leaf: &QuadraticOver<P>) -> Interval<P::F> {
+        let (right, up) = (doubled(p, leaf.square[0]), doubled(p, leaf.square[1]));
+        match self.direction {
+            Direction::Right => right,
+            Direction::Up => up,
+            Direction::Along => self.bend(p, leaf),
+            Direction::Any => p.hull(self.bend(p, leaf), p.hull(right, up)),
+        }
+    }
+}
+
+impl<F: Copy> Towards<F> {
+    /// The second derivative along a ray, where x(t) = x₀ + at, |a| ≤ `turn`: wᵀHw with w = (1 ± tilt, ± turn, ± turn).
+    #[inline(always)]
+    fn bend<P: Packet<F = F>>(&self, p: P, leaf: &QuadraticOver<P>) -> Interval<F> {
+        let [a, b] = self.turn;
+        let one = p.splat(1.0);
+        let rate = Interval {
+            lo: p.sub_rd(one, self.tilt),
+            hi: p.add_ru(one, self.tilt),
+        };
+        let side = |r: F| Interval {
+            lo: p.neg_f(r),
+            hi: r,
+        };
+        let (x, y) = (side(a), side(b));
+        let mixed = p.add(p.mul(x, leaf.side[0].c1), p.mul(y, leaf.side[1].c1));
+        let squares = p.add(
+            p.mul(p.sqr(x), leaf.square[0]),
+            p.mul(p.sqr(y), leaf.square[1]),
+        );
+        let rest = p.add(squares, p.mul(p.mul(x, y), leaf.mixed));
+        let t = p.mul(p.sqr(rate), leaf.middle.c2);
+        doubled(p, p.add(p.add(t, p.mul(rate, mixed)), rest))
     }
 }

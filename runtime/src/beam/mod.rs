@@ -13,10 +13,12 @@ mod leaf;
 mod survey;
 #[cfg(test)]
 mod tests;
+mod thin;
 
 pub(crate) use frame::{Frame, View};
 pub(crate) use group::{Grid, Group};
 pub(crate) use hint::{Hint, Single};
 pub(crate) use leaf::{Assemble, Shift};
 pub use leaf::{Direction, LinearOver, OverBeams, QuadraticOver, Slab, Towards};
-pub(crate) use survey::{Bundle, Request, Scout, Space};
+pub(crate) use survey::{Bundle, Findings, Request, Scout, Space};
+pub(crate) use thin::Thin;

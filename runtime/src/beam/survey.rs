@@ -1,17 +1,20 @@
 //! What is certain for all rays of a beam: where there is no root, and where there is exactly one on each ray.
 
-use super::{Direction, Frame, Grid, Group, Hint, Shift, Single, Slab, Towards};
+use super::{Direction, Frame, Grid, Group, Hint, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
 use crate::solve::{Enclosed, differentiable, excluded, nonzero, select};
+use crate::surface::Active;
 
 /// A surface over eight beams. An object, so that the survey is compiled once per instruction set.
 pub(crate) trait Bundle<P: Packet> {
-    /// Moves the picture's leaves to other beams.
-    fn shift(&mut self, p: P, shift: &Shift<P>);
+    /// Moves the picture's leaves to other beams, for these rows.
+    fn shift(&mut self, p: P, shift: &Shift<P>, active: &Active);
     /// f over a piece.
     fn value(&self, p: P, over: &Slab<P::F>) -> Enclosed<P, 1>;
     /// f and a derivative over a piece.
     fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2>;
+    /// The terms of these beams' rows over a piece.
+    fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin);
 }
 
 /// A picture's frame, and the surface's box in it.
@@ -31,56 +34,83 @@ pub(crate) struct Request<'a> {
     pub live: u8,
     /// What is known about all of them.
     pub known: &'a Hint,
+    /// The rows that matter in them.
+    pub active: &'a Active,
+}
+
+/// What is found out about eight beams.
+#[derive(Default)]
+pub(crate) struct Findings {
+    pub hints: [Hint; 8],
+    /// The rows that matter in each, if it is open.
+    pub active: [Active; 8],
+    /// Evaluations, counted once for all eight.
+    pub count: u64,
+    thin: Thin,
 }
 
 /// The survey, compiled here for each instruction set.
 #[derive(Clone, Copy)]
-pub(crate) struct Scout<P: Packet>(fn(P, &mut dyn Bundle<P>, &Request, &mut u64) -> [Hint; 8]);
+pub(crate) struct Scout<P: Packet>(fn(P, &mut dyn Bundle<P>, &Request, &mut Findings));
 
 back_ends!(SCOUTS: Scout::READY);
 
 impl<P: Packet> Scout<P> {
-    const READY: Self = Scout(|p, surface, request, count| {
+    const READY: Self = Scout(|p, surface, request, findings| {
         p.call(Survey {
             surface,
             request,
-            count,
-        })
+            findings,
+        });
     });
 
-    /// What is known about each beam; evaluations are counted once for all eight.
-    pub fn survey(
-        p: P,
-        surface: &mut dyn Bundle<P>,
-        request: &Request,
-        count: &mut u64,
-    ) -> [Hint; 8] {
-        let scout = SCOUTS.iter().find_map(|scout| scout.downcast_ref::<Self>());
-        // All back-ends are listed; one that were not would know nothing.
-        scout.map_or([Hint::OPEN; 8], |scout| scout.0(p, surface, request, count))
+    /// Looks at each beam.
+    pub fn survey(p: P, surface: &mut dyn Bundle<P>, request: &Request, findings: &mut Findings) {
+        match SCOUTS.iter().find_map(|scout| scout.downcast_ref::<Self>()) {
+            Some(scout) => scout.0(p, surface, request, findings),
+            // All back-ends are listed; one that were not would know nothing.
+            None => findings.know(&Hint::OPEN, request.active),
+        }
+    }
+}
+
+impl Findings {
+    /// The same of all beams.
+    pub fn know(&mut self, hint: &Hint, active: &Active) {
+        self.hints = [*hint; 8];
+        self.keep(active);
+    }
+
+    /// What mattered in all beams matters in each.
+    fn keep(&mut self, active: &Active) {
+        for list in &mut self.active {
+            list.clone_from(active);
+        }
     }
 }
 
 struct Survey<'a, 'b, P: Packet> {
     surface: &'a mut dyn Bundle<P>,
     request: &'a Request<'b>,
-    count: &'a mut u64,
+    findings: &'a mut Findings,
 }
 
 impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
-    type Output = [Hint; 8];
+    type Output = ();
 
     #[inline(always)]
-    fn call(self, p: P) -> [Hint; 8] {
+    fn call(self, p: P) {
         let Request {
             space: Space { frame, domain },
             corner,
             grid,
             live,
             known,
+            active,
         } = *self.request;
+        let findings = self.findings;
         let group = Group::new(p, frame, corner, grid);
-        self.surface.shift(p, &group.shift(p));
+        self.surface.shift(p, &group.shift(p), active);
         let span = group.span(p, domain);
         let start = p.splat((known.front - frame.near).max(0.0));
         let start = p.max_f(start, span.lo);
@@ -92,7 +122,7 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
             start,
             end: p.max_f(span.hi, start),
             first: p.splat(known.length.min(0.25 * (frame.far - frame.near))),
-            count: self.count,
+            count: &mut findings.count,
         };
         let mut found = surveyor.march();
         if p.any(found.open) {
@@ -102,8 +132,18 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
             lo: found.front,
             hi: found.back,
         };
-        let inside = p.bits(p.and(found.one, group.inside(p, &t, domain)));
-        found.hints(p, frame, inside)
+        let inside = p.and(found.one, group.inside(p, &t, domain));
+        if active.is_list() {
+            let last = p.select(inside, found.back, surveyor.end);
+            let over = surveyor.around(found.front, last);
+            findings.thin.clear();
+            surveyor.surface.terms(p, &over, &mut findings.thin);
+            let open = p.bits(found.open);
+            findings.thin.lists(active, open, &mut findings.active);
+        } else {
+            findings.keep(active);
+        }
+        findings.hints = found.hints(p, frame, p.bits(inside));
     }
 }
 
@@ -187,6 +227,19 @@ impl<P: Packet> Surveyor<'_, P> {
     fn value(&mut self, over: &Slab<P::F>) -> Enclosed<P, 1> {
         *self.count += 1;
         self.surface.value(self.p, over)
+    }
+
+    /// A piece and a little more, in all directions: the rays' own t differs by the frame's slack.
+    #[inline(always)]
+    fn around(&self, front: P::F, back: P::F) -> Towards<P::F> {
+        let p = self.p;
+        let slack = p.splat(8.0 * self.group.slack());
+        let t = Interval {
+            lo: p.max_f(p.sub_rd(front, slack), p.splat(0.0)),
+            hi: p.add_ru(back, slack),
+        };
+        self.group
+            .towards(p, self.group.slab(p, &t), Direction::Any)
     }
 
     #[inline(always)]

@@ -102,6 +102,11 @@ pub trait Parameter<A: Arithmetic>: Copy {
     fn quadratic_slope(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
     /// 2c₂
     fn quadratic_curvature(self, a: A, leaf: &<Self::Leaves as Leaves>::Quadratic) -> A::Value;
+    /// Does a rough look suffice, which leaves out rows that hardly matter?
+    #[inline(always)]
+    fn rough(self) -> bool {
+        false
+    }
     /// A polynomial of higher degree and its first K − 1 derivatives, over a segment of rays; nothing where a formula is
     /// better evaluated as it is written, and for other parameters.
     #[inline(always)]

@@ -21,6 +21,17 @@ pub trait Packet:
         Interval { lo: x, hi: x }
     }
 
+    /// s·x for an exact number of the surface stage: one product for each bound. x is bounded.
+    #[inline(always)]
+    fn times(self, s: &Interval, x: Interval<Self::F>) -> Interval<Self::F> {
+        let s = self.splat(s.lo);
+        let negative = self.lt(s, self.splat(0.0));
+        Interval {
+            lo: self.mul_rd(s, self.select(negative, x.hi, x.lo)),
+            hi: self.mul_ru(s, self.select(negative, x.lo, x.hi)),
+        }
+    }
+
     /// The real line.
     #[inline(always)]
     fn entire(self) -> Interval<Self::F> {

@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use crate::beam::{Frame, Hint, Request, Space};
+use crate::beam::{Findings, Frame, Hint, Request, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
 use crate::scene::{Label, Prepared, Scene, SceneError, TileJob, hull};
@@ -249,9 +249,10 @@ impl<'a> Job<'a> {
         view: &'b View<'b>,
         beams: &'b [Option<(Frame, Leaves)>],
     ) -> Vec<TileJob<'b>> {
-        let surfaces = self.boxes.iter().zip(beams).zip(&self.first);
+        let surfaces = self.boxes.iter().zip(beams).zip(&self.prepared);
         surfaces
-            .map(|((domain, beams), &index)| TileJob {
+            .zip(&self.first)
+            .map(|(((domain, beams), surface), &index)| TileJob {
                 isa: self.isa,
                 settings: &self.options.settings,
                 view,
@@ -261,6 +262,7 @@ impl<'a> Job<'a> {
                     space: Space { frame, domain },
                     leaves: &**leaves,
                 }),
+                everything: surface.everything(),
             })
             .collect()
     }
@@ -289,13 +291,14 @@ impl<'a> Job<'a> {
             let [x, y] = place(k);
             live |= u8::from(x < view.picture[0] && y < view.picture[1]) << k;
         }
-        let count = &mut shard.statistics.evaluations.beams;
-        let hints: Vec<[Hint; TILES_OF_BLOCK]> = surfaces
+        let surveyed: Vec<Findings> = surfaces
             .iter()
             .zip(&self.prepared)
             .map(|(job, surface)| {
+                let mut findings = Findings::default();
                 let Some(beams) = job.beams else {
-                    return [Hint::OPEN; TILES_OF_BLOCK];
+                    findings.know(&Hint::OPEN, &job.everything);
+                    return findings;
                 };
                 let request = Request {
                     space: beams.space,
@@ -303,16 +306,19 @@ impl<'a> Job<'a> {
                     grid: &GRID_OF_TILES,
                     live,
                     known: &Hint::OPEN,
+                    active: &job.everything,
                 };
-                surface.survey(self.isa, beams, &request, count)
+                surface.survey(self.isa, beams, &request, &mut findings);
+                shard.statistics.evaluations.beams += findings.count;
+                findings
             })
             .collect();
         shard.statistics.phases.beams += clock.elapsed();
         shard.statistics.rays += within(view.picture, corner);
         for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
             tile.begin(view, place(k), self.domain.unwrap_or_default());
-            if hints.iter().any(|tiles| tiles[k].open) {
-                self.tile(surfaces, &hints, k, tile, number, shard);
+            if surveyed.iter().any(|found| found.hints[k].open) {
+                self.tile(surfaces, &surveyed, k, tile, number, shard);
             } else {
                 shard.statistics.area.add(&tile.area());
             }
@@ -323,7 +329,7 @@ impl<'a> Job<'a> {
     fn tile(
         &self,
         surfaces: &[TileJob],
-        hints: &[[Hint; TILES_OF_BLOCK]],
+        surveyed: &[Findings],
         k: usize,
         tile: &mut Tile,
         block: u32,
@@ -331,9 +337,9 @@ impl<'a> Job<'a> {
     ) {
         let mut phases = Phases::default();
         let clock = Instant::now();
-        for ((job, surface), hints) in surfaces.iter().zip(&self.prepared).zip(hints) {
-            if hints[k].open {
-                surface.trace(job, hints[k], tile);
+        for ((job, surface), found) in surfaces.iter().zip(&self.prepared).zip(surveyed) {
+            if found.hints[k].open {
+                surface.trace(job, (&found.hints[k], &found.active[k]), tile);
             }
         }
         let specials = settle(tile);

@@ -2,13 +2,13 @@
 
 use core::marker::PhantomData;
 
-use crate::beam::{Frame, Hint, Request};
+use crate::beam::{Findings, Frame, Hint, Request};
 use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::Isa;
 use crate::render::tile::{Tile, View};
 use crate::solve::Settings;
-use crate::surface::{ParameterError, Surface};
+use crate::surface::{Active, ParameterError, Surface};
 use crate::trace::{
     AlongRay, AssembleLeaves, Leaves, NormalsOfTile, SurveyGrid, TraceTile, Trail, WithBeams,
 };
@@ -45,6 +45,8 @@ pub(crate) struct TileJob<'a> {
     pub domain: &'a [[f64; 3]; 2],
     pub index: u16,
     pub beams: Option<WithBeams<'a>>,
+    /// All rows of its tables.
+    pub everything: Active,
 }
 
 /// A surface after the surface stage, ready for any number of tiles.
@@ -52,9 +54,11 @@ pub(crate) trait Prepared: Send + Sync {
     /// The leaves over beams of a picture; nothing if there are none.
     fn leaves(&self, isa: Isa, frame: &Frame) -> Option<Leaves>;
     /// What is known about the beams of a grid.
-    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, count: &mut u64) -> [Hint; 8];
+    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, findings: &mut Findings);
+    /// All rows of its tables.
+    fn everything(&self) -> Active;
     /// Traces the tile's rays inside the surface's box, and keeps what is nearer than what the tile holds.
-    fn trace(&self, job: &TileJob, hint: Hint, tile: &mut Tile);
+    fn trace(&self, job: &TileJob, known: (&Hint, &Active), tile: &mut Tile);
     /// Normals for the pixels that show this surface.
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile);
     /// All events along one ray, or those up to the first certain root.
@@ -112,16 +116,19 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
             frame,
         })
     }
-    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, count: &mut u64) -> [Hint; 8] {
+    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, findings: &mut Findings) {
         isa.run(SurveyGrid::<S> {
             prepared: &self.prepared,
             beams,
             request,
-            count,
+            findings,
             surface: PhantomData,
-        })
+        });
     }
-    fn trace(&self, job: &TileJob, hint: Hint, tile: &mut Tile) {
+    fn everything(&self) -> Active {
+        S::everything(&self.prepared)
+    }
+    fn trace(&self, job: &TileJob, (hint, active): (&Hint, &Active), tile: &mut Tile) {
         job.isa.run(TraceTile::<S, C> {
             prepared: &self.prepared,
             settings: job.settings,
@@ -129,7 +136,8 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
             index: job.index,
             view: job.view,
             beams: job.beams,
-            hint,
+            hint: *hint,
+            active,
             tile,
             solver: PhantomData,
         });

@@ -7,7 +7,7 @@ use crate::interval::{
     Rebind, Scalar,
 };
 use crate::ray::Rays;
-use crate::surface::{Active, ParameterError, Report, Surface};
+use crate::surface::{Active, ParameterError, Report, Surface, Terms};
 
 /// The surface f(A₁⁻¹(… Aₙ⁻¹(x))) = 0, for exact affine maps with `f64` entries; as it is without any.
 ///
@@ -234,6 +234,17 @@ impl<S: Surface> Surface for Placed<S> {
         to: &mut Self::Bound<R::To>,
     ) -> bool {
         S::rebind(map, from, active, to)
+    }
+
+    #[inline(always)]
+    fn terms<A: Arithmetic, T: Parameter<A>>(
+        a: A,
+        prepared: &Self::Prepared,
+        bound: &Self::Bound<T::Leaves>,
+        t: T,
+        to: &mut impl Terms<A>,
+    ) {
+        S::terms(a, &prepared.own, bound, t, to);
     }
 
     #[inline(always)]

@@ -6,14 +6,14 @@ use super::sweep::Face;
 use super::tile::Explorer;
 use super::tree::Node;
 use super::{Part, Solid};
-use crate::beam::{Frame, Hint, Request};
+use crate::beam::{Findings, Frame, Hint, Request};
 use crate::camera::Ray;
 use crate::interval::{Interval, Isa, Kernel, Packet};
 use crate::ray::Lines;
 use crate::render::tile::{Event, PACKETS, PACKETS_OF_CELL, PacketRays, Tile, View};
 use crate::scene::{Label, Prepared, TileJob, Trace};
 use crate::solve::Settings;
-use crate::surface::ParameterError;
+use crate::surface::{Active, ParameterError};
 use crate::trace::{BeamOf, Leaves, Trail, WithBeams, segment};
 use crate::verdict::Verdict;
 
@@ -199,11 +199,15 @@ impl Prepared for PreparedSolid<'_> {
         None
     }
 
-    fn survey(&self, _: Isa, _: WithBeams, _: &Request, _: &mut u64) -> [Hint; 8] {
-        [Hint::OPEN; 8]
+    fn survey(&self, _: Isa, _: WithBeams, request: &Request, findings: &mut Findings) {
+        findings.know(&Hint::OPEN, request.active);
     }
 
-    fn trace(&self, job: &TileJob, _hint: Hint, tile: &mut Tile) {
+    fn everything(&self) -> Active {
+        Active::default()
+    }
+
+    fn trace(&self, job: &TileJob, _known: (&Hint, &Active), tile: &mut Tile) {
         job.isa.run(AllRays {
             view: job.view,
             tile,

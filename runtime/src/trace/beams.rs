@@ -5,11 +5,12 @@ use core::marker::PhantomData;
 
 use super::bound;
 use crate::beam::{
-    Assemble, Bundle, Frame, Hint, OverBeams, Request, Scout, Shift, Slab, Space, Towards,
+    Assemble, Bundle, Findings, Frame, Hint, OverBeams, Request, Scout, Shift, Slab, Space, Thin,
+    Towards,
 };
 use crate::interval::{Kernel, Packet, Routine};
 use crate::solve::Enclosed;
-use crate::surface::Surface;
+use crate::surface::{Active, Surface};
 
 /// The leaves of a whole picture, `S::Bound<OverBeams<P>>` of the render's instruction set.
 pub(crate) type Leaves = Box<dyn Any + Send + Sync>;
@@ -60,8 +61,12 @@ impl<'a, S: Surface, P: Packet> OverGroup<'a, S, P> {
 }
 
 impl<S: Surface, P: Packet> Bundle<P> for OverGroup<'_, S, P> {
-    fn shift(&mut self, p: P, shift: &Shift<P>) {
-        p.call(Rebound { of: self, shift });
+    fn shift(&mut self, p: P, shift: &Shift<P>, active: &Active) {
+        p.call(Rebound {
+            of: self,
+            shift,
+            active,
+        });
     }
     fn value(&self, p: P, over: &Slab<P::F>) -> Enclosed<P, 1> {
         p.call(Value { of: self, over })
@@ -69,19 +74,40 @@ impl<S: Surface, P: Packet> Bundle<P> for OverGroup<'_, S, P> {
     fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2> {
         p.call(Slope { of: self, over })
     }
+    fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin) {
+        p.call(AllTerms { of: self, over, to });
+    }
+}
+
+struct AllTerms<'a, 'b, S: Surface, P: Packet> {
+    of: &'a OverGroup<'b, S, P>,
+    over: &'a Towards<P::F>,
+    to: &'a mut Thin,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for AllTerms<'_, '_, S, P> {
+    type Output = ();
+    #[inline(always)]
+    fn call(self, p: P) {
+        let OverGroup {
+            prepared, bound, ..
+        } = self.of;
+        S::terms(p, prepared, bound, *self.over, &mut (p, self.to));
+    }
 }
 
 struct Rebound<'a, 'b, S: Surface, P: Packet> {
     of: &'a mut OverGroup<'b, S, P>,
     shift: &'a Shift<P>,
+    active: &'a Active,
 }
 
 impl<S: Surface, P: Packet> Routine<P> for Rebound<'_, '_, S, P> {
     type Output = ();
     #[inline(always)]
     fn call(self, _p: P) {
-        let active = S::everything(self.of.prepared);
-        S::rebind(self.shift, self.of.from, &active, &mut self.of.bound);
+        let OverGroup { from, bound, .. } = self.of;
+        S::rebind(self.shift, from, self.active, bound);
     }
 }
 
@@ -116,18 +142,18 @@ pub(crate) struct SurveyGrid<'a, S: Surface> {
     pub prepared: &'a S::Prepared,
     pub beams: WithBeams<'a>,
     pub request: &'a Request<'a>,
-    pub count: &'a mut u64,
+    pub findings: &'a mut Findings,
     pub surface: PhantomData<S>,
 }
 
 impl<S: Surface> Kernel for SurveyGrid<'_, S> {
-    type Output = [Hint; 8];
+    type Output = ();
 
     #[inline(always)]
-    fn run<P: Packet>(self, p: P) -> [Hint; 8] {
+    fn run<P: Packet>(self, p: P) {
         match OverGroup::<S, P>::new(p, self.prepared, &self.beams) {
-            Some(mut over) => Scout::survey(p, &mut over, self.request, self.count),
-            None => [Hint::OPEN; 8],
+            Some(mut over) => Scout::survey(p, &mut over, self.request, self.findings),
+            None => self.findings.know(&Hint::OPEN, self.request.active),
         }
     }
 }

@@ -3,7 +3,6 @@
 mod beams;
 mod entries;
 mod normals;
-mod plan;
 mod range;
 mod roots;
 mod survey;

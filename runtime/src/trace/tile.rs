@@ -3,13 +3,12 @@
 use core::marker::PhantomData;
 
 use super::beams::{OverGroup, WithBeams};
-use super::plan::Plan;
 use super::{Bind, Entries, FirstRoots, OnRays};
-use crate::beam::{Hint, Single};
+use crate::beam::{Bundle, Findings, Grid, Hint, Request, Scout, Single, Space};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
-use crate::render::tile::{Event, PacketRays, Tile, View};
+use crate::render::tile::{Event, PACKETS_OF_CELL, PacketRays, Tile, View};
 use crate::solve::{Brackets, Events, Settings};
 use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
@@ -24,6 +23,8 @@ pub(crate) struct TraceTile<'a, S: Surface, C> {
     pub beams: Option<WithBeams<'a>>,
     /// What is known about the whole tile.
     pub hint: Hint,
+    /// The rows that matter there.
+    pub active: &'a Active,
     pub tile: &'a mut Tile,
     pub solver: PhantomData<C>,
 }
@@ -33,14 +34,6 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        let mut plan = Plan::everything(&self.hint);
-        if let (Some(beams), None) = (self.beams, self.hint.single)
-            && let Some(mut over) = OverGroup::<S, P>::new(p, self.prepared, &beams)
-        {
-            plan = Plan::survey(p, &mut over, beams.space, self.view, &self.hint, self.tile);
-        }
-        self.tile.missed &= plan.missed;
-        self.tile.full |= plan.full;
         let mut trace = Packets::<S, C, P> {
             p,
             prepared: self.prepared,
@@ -49,15 +42,18 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
             index: self.index,
             view: self.view,
             tile: self.tile,
-            active: S::everything(self.prepared),
             bound: S::unbound::<P>(p),
             events: Events::default(),
             solver: PhantomData,
         };
-        while plan.open != 0 {
-            let number = plan.open.trailing_zeros() as usize;
-            plan.open &= plan.open - 1;
-            trace.packet(number, &plan.hints[number]);
+        let over = match (self.beams, self.hint.single) {
+            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, &beams),
+            _ => None,
+        };
+        let known = (&self.hint, self.active);
+        match (over, self.beams) {
+            (Some(mut over), Some(beams)) => trace.cells(Some((&mut over, beams.space)), known),
+            _ => trace.cells(None, known),
         }
     }
 }
@@ -72,16 +68,86 @@ struct Packets<'a, S: Surface, C, P: Packet> {
     index: u16,
     view: &'a View<'a>,
     tile: &'a mut Tile,
-    active: Active,
     bound: S::Bound<P>,
     events: Events,
     solver: PhantomData<C>,
 }
 
 impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
+    /// Traces the packets that may show something, as beams through the cells and, where these do not suffice, through the
+    /// packets tell. Without beams, or where all is known, nothing is looked at again.
+    #[inline(always)]
+    fn cells(
+        &mut self,
+        mut surface: Option<(&mut dyn Bundle<P>, Space)>,
+        (hint, active): (&Hint, &Active),
+    ) {
+        let (mut cells, mut packets) = (Findings::default(), Findings::default());
+        match &mut surface {
+            Some(surface) => {
+                let part = (self.tile.corner, self.tile.cells());
+                self.look(
+                    surface,
+                    &Tile::GRID_OF_CELLS,
+                    part,
+                    (hint, active),
+                    &mut cells,
+                );
+            }
+            None => cells.know(hint, active),
+        }
+        let mut missed = 0;
+        for (cell, (hint, active)) in cells.hints.iter().zip(&cells.active).enumerate() {
+            let first = cell * PACKETS_OF_CELL;
+            missed |= u8::from(!hint.open) << cell;
+            self.tile.full |= u8::from(hint.is_full()) << cell;
+            match &mut surface {
+                _ if !hint.open => continue,
+                Some(surface) if hint.single.is_none() => {
+                    let part = (self.tile.corner_of(first), self.tile.packets_of(cell));
+                    self.look(
+                        surface,
+                        &Tile::GRID_OF_PACKETS,
+                        part,
+                        (hint, active),
+                        &mut packets,
+                    );
+                }
+                _ => packets.know(hint, active),
+            }
+            for k in 0..PACKETS_OF_CELL {
+                if packets.hints[k].open {
+                    self.packet(first + k, &packets.hints[k], &packets.active[k]);
+                }
+            }
+        }
+        self.tile.missed &= missed;
+        self.tile.counts.beams += cells.count + packets.count;
+    }
+
+    #[inline(always)]
+    fn look(
+        &self,
+        (surface, space): &mut (&mut dyn Bundle<P>, Space),
+        grid: &Grid,
+        (corner, live): ([u32; 2], u8),
+        (known, active): (&Hint, &Active),
+        findings: &mut Findings,
+    ) {
+        let request = Request {
+            space: *space,
+            corner: self.view.begin(corner, grid),
+            grid,
+            live,
+            known,
+            active,
+        };
+        Scout::survey(self.p, *surface, &request, findings);
+    }
+
     /// Traces a packet of the tile, of which this much is known.
     #[inline(always)]
-    fn packet(&mut self, number: usize, hint: &Hint) {
+    fn packet(&mut self, number: usize, hint: &Hint, active: &Active) {
         let p = self.p;
         self.tile.enter(p, self.view, number);
         let corner = self.tile.corner_of(number);
@@ -99,15 +165,18 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         p.call(Bind::<S, P> {
             prepared: self.prepared,
             rays: &rays,
-            active: &self.active,
+            active,
             bound: &mut self.bound,
         });
-        let known = hint.single.map(|single| {
-            let mut known = brackets(p, &single, entry, &over, live);
-            let start = p.sub_rn(self.view.linear(p, corner, &single.plane), entry);
-            known.guess = p.min_f(p.max_f(start, known.t.lo), known.t.hi);
-            known
-        });
+        let known = match &hint.single {
+            Some(single) => {
+                let mut known = brackets(p, single, entry, &over, live);
+                let start = p.sub_rn(self.view.linear(p, corner, &single.plane), entry);
+                known.guess = p.min_f(p.max_f(start, known.t.lo), known.t.hi);
+                Some(known)
+            }
+            None => None,
+        };
         let single = known.as_ref().map_or(p.none(), |known| known.found);
         self.tile.counts.single += u64::from(p.bits(single).count_ones());
         let mut surface = OnRays {

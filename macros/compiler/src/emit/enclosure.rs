@@ -130,6 +130,11 @@ impl Target for Enclosure<'_> {
         let name = variable(id);
         let names: Vec<&Ident> = args.iter().map(|v| &v.name).collect();
         let (mut declare, mut update) = accumulator(&name, fold.0, fold.1, &names);
+        if self.stage == Stage::Segment
+            && let Some(rest) = self.layout.terms.rest(id)
+        {
+            declare = quote!(let mut #name = a.constant(bound.2.rest(#rest, t.rough())););
+        }
         let choosing = matches!(fold.0, FoldKind::Minimum | FoldKind::Maximum) && args.len() > 1;
         let any = choosing || args.iter().any(|v| v.flags.is_some());
         let flags = any.then(|| flags(id));
@@ -410,13 +415,10 @@ pub fn enter_rows(
 ) -> (TokenStream, TokenStream) {
     let (j, k) = (format_ident!("j{fold}"), format_ident!("k{fold}"));
     let (header, mut start) = match layout.active(fold) {
-        Some(list) if along_a_ray => {
-            let list = quote!(bound.2[#list]);
-            (
-                quote!(for #j in 0..#list.len()),
-                quote!(let #k = #list[#j] as __zeroset::primitive::usize;),
-            )
-        }
+        Some(list) if along_a_ray => (
+            quote!(for #j in 0..bound.2.visited(#list, t.rough())),
+            quote!(let #k = bound.2.rows[#list][#j] as __zeroset::primitive::usize;),
+        ),
         _ => {
             let length = layout.length(graph, fold);
             (quote!(for #j in 0..#length), quote!(let #k = #j;))

@@ -8,6 +8,7 @@ use crate::form::Form;
 use crate::front::{Head, HeadField};
 use crate::graph::{Graph, Id, Scope};
 use crate::lower::{Lowering, TooLarge};
+use crate::stage::Staged;
 use crate::tree::{Default, Field, Formula, Shape, Term};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
@@ -262,7 +263,7 @@ fn bound(formula: &Formula, term: &Term, side: &TokenStream) -> Result<TokenStre
     let mut lowering = Lowering::new(formula);
     let id: Id = lowering.term(term)?;
     let graph = &lowering.graph;
-    let layout = Layout::new(graph, Form::Staged, &[], &[], &[]);
+    let layout = Layout::new(graph, Form::Staged, &Staged::default(), &[]);
     let mut target = Enclosure {
         graph,
         layout: &layout,

@@ -1,12 +1,13 @@
 //! Where the values of the surface and ray stages are stored.
 //!
 //! `Prepared` is the tuple (values, undefined, rows of scope 0, rows of scope 1, …), `Bound` the tuple (linear leaves,
-//! quadratic leaves, active rows, rows of scope 0, …, polynomials of higher degree). A scope is a set of nested loops; its rows are a `Vec` of arrays
+//! quadratic leaves, what is active, rows of scope 0, …, polynomials of higher degree). A scope is a set of nested loops; its rows are a `Vec` of arrays
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
+use super::terms::Terms;
 use crate::form::Form;
 use crate::graph::{Graph, Id, Op, Scope, operands};
-use crate::stage::Leaf;
+use crate::stage::Staged;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
@@ -33,6 +34,8 @@ pub struct Layout {
     pub rows: Vec<(Scope, Store)>,
     /// Folds whose rows depend on no other fold: they have lists of active rows.
     pub outermost: Vec<usize>,
+    /// The folds among them that may leave out rows.
+    pub terms: Terms,
     values: HashMap<Id, (Scope, usize)>,
     leaves: Vec<(Scope, bool, usize)>,
     /// The degrees of the polynomials, all in the scope without loops.
@@ -40,23 +43,19 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Storage for all surface values that the nodes under `roots` use, for the leaves, and for polynomials (with their
-    /// degrees).
-    pub fn new(
-        graph: &Graph,
-        form: Form,
-        leaves: &[Leaf],
-        polynomials: &[(Id, u32)],
-        roots: &[Id],
-    ) -> Layout {
-        let outermost = (0..graph.folds.len())
+    /// Storage for all surface values that the nodes under `roots` use, for the leaves and for the polynomials.
+    pub fn new(graph: &Graph, form: Form, staged: &Staged, roots: &[Id]) -> Layout {
+        let (leaves, polynomials) = (&staged.leaves, &staged.polynomials);
+        let outermost: Vec<usize> = (0..graph.folds.len())
             .filter(|&f| graph.chain(f) == Scope::of(f))
             .collect();
+        let terms = Terms::new(graph, staged, &outermost, |id| form.ready(graph, id));
         let mut layout = Layout {
             form,
             top: Store::default(),
             rows: Vec::new(),
             outermost,
+            terms,
             values: HashMap::new(),
             leaves: Vec::new(),
             polynomials: polynomials.iter().map(|p| p.1).collect(),
@@ -243,7 +242,7 @@ impl Layout {
         let lengths = self.coefficients();
         quote!((
             #top
-            __zeroset::Vec<__zeroset::Vec<__zeroset::primitive::u32>>,
+            __zeroset::Active,
             #(#rows,)*
             (#(L::Polynomial<#lengths>,)*),
         ))

@@ -11,6 +11,7 @@ mod rows;
 mod scalar;
 mod series;
 mod stages;
+mod terms;
 mod text;
 
 pub use item::{FieldHead, definition};
@@ -89,7 +90,7 @@ fn implementation(
     let mut roots = space.clone();
     roots.extend(staged.jet.iter().flatten());
     roots.extend(staged.over.iter().flatten());
-    let layout = Layout::new(&graph, form, &staged.leaves, &staged.polynomials, &roots);
+    let layout = Layout::new(&graph, form, &staged, &roots);
     let fields: Vec<Ident> = formula.fields.iter().map(|f| f.name.clone()).collect();
     let partial = layout.surface_values().any(|id| !graph.info(id).total);
     let compiled = Compiled {
@@ -134,7 +135,7 @@ fn members(
     let check = item::check(compiled.graph, compiled.root, surface, &formula.fields);
     let (domain, at) = (item::domain(formula)?, scalar::at(formula));
     let (prepare, everything, bind) = (compiled.prepare(), compiled.everything(), compiled.bind());
-    let rebind = rebind::rebind(compiled);
+    let (rebind, terms) = (rebind::rebind(compiled), compiled.terms());
     let segment = [
         compiled.segment("value", 1),
         compiled.segment("slope", 2),
@@ -154,6 +155,7 @@ fn members(
         #everything
         #bind
         #rebind
+        #terms
         #(#segment)*
         #(#space)*
         #quadric

@@ -26,6 +26,18 @@ impl Polynomial<'_> {
         (0..=degree).map(|k| format_ident!("{n}_{k}")).collect()
     }
 
+    /// Where a number is that does not depend on the point and is an `f64`: a field's, or as it is written.
+    fn exact(&self, id: Id) -> Option<TokenStream> {
+        match self.graph.op(id) {
+            Op::Literal(r) => {
+                let (lo, hi) = crate::rational::bounds(r);
+                (lo == hi).then(|| interval(r))
+            }
+            Op::Row(..) | Op::Field(..) | Op::Counter(_) => self.layout.value(id),
+            _ => None,
+        }
+    }
+
     /// Names the coefficients of `id` and computes them.
     fn define(&self, id: Id, coefficients: &[TokenStream], out: &mut TokenStream) -> Coefficients {
         let names = self.names(id, coefficients.len().saturating_sub(1));
@@ -73,7 +85,11 @@ impl Target for Polynomial<'_> {
             Op::Negate(a) => get(a).iter().map(|c| quote!(a.neg(#c))).collect(),
             Op::Add(a, b) => sum(&get(a), &get(b)),
             Op::Subtract(a, b) => difference(&get(a), &get(b)),
-            Op::Multiply(a, b) => product(&get(a), &get(b)),
+            Op::Multiply(a, b) => match (self.exact(*a), self.exact(*b)) {
+                (Some(s), _) => multiple(&s, &get(b)),
+                (_, Some(s)) => multiple(&s, &get(a)),
+                (None, None) => product(&get(a), &get(b)),
+            },
             Op::Power(a, _) => square(&get(a)),
             // No other operation has degree 1 or 2.
             _ => vec![],
@@ -82,7 +98,8 @@ impl Target for Polynomial<'_> {
     }
 
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
-        enter_leaves(self.graph, self.layout, fold, scope)
+        // A leaf holds the sum of all rows: which of them are active is a matter of loops over segments.
+        enter_rows(self.graph, self.layout, fold, scope, false)
     }
 
     fn accumulate(
@@ -101,20 +118,6 @@ impl Target for Polynomial<'_> {
 
     fn finish(&mut self, _: Id, value: Coefficients, _: &mut TokenStream) -> Coefficients {
         value
-    }
-}
-
-/// A loop over rows whose leaves are being made: only the prepared rows are there.
-pub fn enter_leaves(
-    graph: &Graph,
-    layout: &Layout,
-    fold: usize,
-    scope: Scope,
-) -> (TokenStream, TokenStream) {
-    let (header, start) = enter_rows(graph, layout, fold, scope, false);
-    match layout.active(fold) {
-        None => (header, start),
-        Some(list) => enter_active(fold, &list, start),
     }
 }
 
@@ -147,6 +150,11 @@ fn difference(a: &[Ident], b: &[Ident]) -> Vec<TokenStream> {
             (None, None) => quote!(),
         })
         .collect()
+}
+
+/// An exact number times a polynomial.
+fn multiple(s: &TokenStream, a: &[Ident]) -> Vec<TokenStream> {
+    a.iter().map(|k| quote!(a.times(&#s, #k))).collect()
 }
 
 /// (a₀ + a₁t)(b₀ + b₁t), or a number times a polynomial.

@@ -1,16 +1,12 @@
 //! From leaves to leaves: each leaf of the active rows, in the shape of the storage.
 
 use super::stages::Compiled;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// `rebind`. The rows of `from` are those of its own list of active rows, in ascending order, and so are those of `to`:
-/// one pass over both lists finds them.
+/// `rebind`.
 pub fn rebind(compiled: &Compiled) -> TokenStream {
     let layout = compiled.layout;
-    let list: Vec<Literal> = (0..layout.outermost.len())
-        .map(Literal::usize_unsuffixed)
-        .collect();
     let rows = (0..layout.rows.len()).map(|k| rows(compiled, k));
     quote! {
         #[inline(always)]
@@ -21,10 +17,7 @@ pub fn rebind(compiled: &Compiled) -> TokenStream {
             to: &mut Self::Bound<R::To>,
         ) -> __zeroset::primitive::bool {
             __zeroset::rebind_leaves(map, (&from.0, &from.1), (&mut to.0, &mut to.1));
-            #(
-                to.2[#list].clear();
-                to.2[#list].extend_from_slice(&active.rows[#list]);
-            )*
+            to.2.clone_from(active);
             #(#rows)*
             true
         }
@@ -51,18 +44,10 @@ fn rows(compiled: &Compiled, k: usize) -> TokenStream {
             (quote!(let mut new = __zeroset::Vec::new();), quote!(new))
         };
         let (header, find) = match compiled.layout.active(fold) {
-            Some(list) => {
-                let at = format_ident!("at{fold}");
-                (
-                    quote!(let mut #at = 0; for row in &active.rows[#list]),
-                    quote! {
-                        while from.2[#list][#at] != *row {
-                            #at += 1;
-                        }
-                        let old = &old[#at];
-                    },
-                )
-            }
+            Some(list) => (
+                quote!(for row in &active.rows[#list]),
+                quote!(let old = &old[*row as __zeroset::primitive::usize];),
+            ),
             None => (quote!(for old in old), quote!()),
         };
         code = quote!({ #start #header { #find let made = #code; new.push(made); } #end });

@@ -1,8 +1,8 @@
 //! The ray stage of polynomials of higher degree: their coefficients in t, by propagation through the graph as written.
 
 use super::block::Target;
+use super::enclosure::enter_rows;
 use super::layout::Layout;
-use super::polynomial::enter_leaves;
 use super::text::{interval, variable};
 use crate::graph::{Graph, Id, Op, Scope};
 use crate::tree::FoldKind;
@@ -102,7 +102,7 @@ impl Target for Series<'_> {
     }
 
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
-        enter_leaves(self.graph, self.layout, fold, scope)
+        enter_rows(self.graph, self.layout, fold, scope, false)
     }
 
     fn accumulate(

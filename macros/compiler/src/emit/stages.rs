@@ -4,10 +4,10 @@ use super::block::block;
 use super::enclosure::enter_rows;
 use super::enclosure::{Enclosure, Stage, Value, enter_fields};
 use super::layout::Layout;
-use super::polynomial::{Polynomial, enter_active};
+use super::polynomial::{Coefficients, Polynomial, enter_active};
 use super::series::Series;
 use crate::graph::{Graph, Id, Op, Scope};
-use crate::stage::Staged;
+use crate::stage::{Leaf, Staged};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
@@ -116,9 +116,10 @@ impl Compiled<'_> {
             .outermost
             .iter()
             .map(|f| self.layout.length(self.graph, *f));
+        let rests = Literal::usize_unsuffixed(self.layout.terms.rests());
         quote! {
             fn everything(prepared: &Self::Prepared) -> __zeroset::Active {
-                __zeroset::Active { rows: __zeroset::vec![#((0..#lengths as __zeroset::primitive::u32).collect()),*] }
+                __zeroset::Active::everything(&[#(#lengths),*], #rests)
             }
         }
     }
@@ -128,14 +129,14 @@ impl Compiled<'_> {
         let top = self.bind_scope(Scope::default());
         let linear = Literal::usize_unsuffixed(self.layout.top.linear.len());
         let quadratic = Literal::usize_unsuffixed(self.layout.top.quadratic.len());
-        let lists = self.layout.outermost.len();
-        let list = (0..lists).map(Literal::usize_unsuffixed);
         let new = self
             .layout
             .rows
             .iter()
             .map(|_| quote!(__zeroset::Vec::new()));
-        let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k));
+        let mut before = TokenStream::new();
+        let shared = self.bind_shared(&mut before);
+        let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k, &shared));
         let lengths = self.layout.coefficients();
         let room = quote!((#(L::polynomial::<#lengths>(p),)*));
         let polynomials = self.bind_polynomials();
@@ -145,7 +146,7 @@ impl Compiled<'_> {
                 (
                     [L::linear(p); #linear],
                     [L::quadratic(p); #quadratic],
-                    __zeroset::vec![__zeroset::Vec::new(); #lists],
+                    __zeroset::Default::default(),
                     #(#new,)*
                     #room,
                 )
@@ -159,15 +160,34 @@ impl Compiled<'_> {
                 active: &__zeroset::Active,
                 bound: &mut Self::Bound<P>,
             ) {
-                #(
-                    bound.2[#list].clear();
-                    bound.2[#list].extend_from_slice(&active.rows[#list]);
-                )*
+                bound.2.clone_from(active);
                 #top
+                #before
                 #(#rows)*
                 #polynomials
             }
         }
+    }
+
+    fn polynomial(&self) -> Polynomial<'_> {
+        Polynomial {
+            graph: self.graph,
+            layout: self.layout,
+        }
+    }
+
+    /// What all rows' leaves are made of: computed once, before the loops.
+    fn bind_shared(&self, out: &mut TokenStream) -> HashMap<Id, Coefficients> {
+        let of_rows = |leaf: &&Leaf| self.graph.info(leaf.node).scope != Scope::default();
+        let leaves = self.staged.leaves.iter().filter(of_rows);
+        let nodes: Vec<Id> = leaves.map(|l| l.node).collect();
+        let shared = |id: Id| self.graph.info(id).scope == Scope::default();
+        let mut all = self.graph.reachable(&nodes, shared);
+        all.retain(|id| shared(*id) && self.graph.varies(*id));
+        let mut known = HashMap::new();
+        let target = &mut self.polynomial();
+        block(self.graph, target, Scope::default(), &all, &mut known, out);
+        known
     }
 
     /// The leaves of a scope, as (linear, quadratic) expressions after the code that computes them.
@@ -176,20 +196,17 @@ impl Compiled<'_> {
         scope: Scope,
         linear: &[usize],
         quadratic: &[usize],
+        known: &HashMap<Id, Coefficients>,
     ) -> (TokenStream, Vec<TokenStream>, Vec<TokenStream>) {
+        let mut body = TokenStream::new();
         let node = |k: &usize| self.staged.leaves.get(*k).map(|l| l.node);
         let targets: Vec<Id> = linear.iter().chain(quadratic).filter_map(node).collect();
-        let mut target = Polynomial {
-            graph: self.graph,
-            layout: self.layout,
-        };
-        let mut body = TokenStream::new();
         let values = block(
             self.graph,
-            &mut target,
+            &mut self.polynomial(),
             scope,
             &targets,
-            &mut HashMap::new(),
+            &mut known.clone(),
             &mut body,
         );
         let (first, second) = values.split_at(linear.len().min(values.len()));
@@ -206,7 +223,8 @@ impl Compiled<'_> {
 
     fn bind_scope(&self, scope: Scope) -> TokenStream {
         let store = &self.layout.top;
-        let (body, linear, quadratic) = self.leaves(scope, &store.linear, &store.quadratic);
+        let (body, linear, quadratic) =
+            self.leaves(scope, &store.linear, &store.quadratic, &HashMap::new());
         if linear.is_empty() && quadratic.is_empty() {
             return TokenStream::new();
         }
@@ -218,11 +236,12 @@ impl Compiled<'_> {
         }
     }
 
-    fn bind_rows(&self, k: usize) -> TokenStream {
+    fn bind_rows(&self, k: usize, shared: &HashMap<Id, Coefficients>) -> TokenStream {
         let Some((scope, store)) = self.layout.rows.get(k) else {
             return TokenStream::new();
         };
-        let (body, linear, quadratic) = self.leaves(*scope, &store.linear, &store.quadratic);
+        let (body, linear, quadratic) =
+            self.leaves(*scope, &store.linear, &store.quadratic, shared);
         let place = self.layout.bound_rows(k);
         let mut code = quote!({ #body ([#(#linear),*], [#(#quadratic),*]) });
         let folds: Vec<usize> = scope.folds().collect();
@@ -330,6 +349,29 @@ impl Compiled<'_> {
                 #over
                 #body
                 #jet
+            }
+        }
+    }
+
+    /// `terms`, where rows can be left out.
+    pub fn terms(&self) -> TokenStream {
+        let body = self
+            .layout
+            .terms
+            .body(self.graph, &mut self.enclosure(Stage::Segment));
+        if body.is_empty() {
+            return body;
+        }
+        quote! {
+            #[inline(always)]
+            fn terms<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
+                a: A,
+                prepared: &Self::Prepared,
+                bound: &Self::Bound<T::Leaves>,
+                t: T,
+                to: &mut impl __zeroset::Terms<A>,
+            ) {
+                #body
             }
         }
     }

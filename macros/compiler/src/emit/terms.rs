@@ -1,0 +1,154 @@
+//! Which rows of a table can be left out: `terms` tells them over a piece of a beam, and each sum starts with what the rows
+//! that were left out add.
+
+use super::block::block;
+use super::enclosure::{Enclosure, Value};
+use crate::graph::{Graph, Id, Op, Scope};
+use crate::stage::Staged;
+use crate::tree::FoldKind;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
+
+/// The folds of the segment stage that may visit fewer rows than there are.
+#[derive(Debug, Default)]
+pub struct Terms {
+    /// Their places are those of `Active::rest`.
+    sums: Vec<Sum>,
+    extremes: Vec<Extreme>,
+    /// The folds, among the outermost.
+    lists: Vec<usize>,
+}
+
+#[derive(Debug)]
+struct Sum {
+    id: Id,
+    fold: usize,
+    term: Id,
+}
+
+/// What minima and maxima choose from.
+#[derive(PartialEq, Eq, Debug)]
+struct Extreme {
+    fold: usize,
+    number: Id,
+    greatest: bool,
+}
+
+impl Terms {
+    /// Those of a formula. Products need all of their rows; so does a fold whose body stands in other loops.
+    pub fn new(
+        graph: &Graph,
+        staged: &Staged,
+        outermost: &[usize],
+        ready: impl Fn(Id) -> bool,
+    ) -> Terms {
+        let all = folds(graph, staged, ready);
+        let mut terms = Terms::default();
+        for &fold in outermost {
+            let here = || all.iter().filter(|id| over(graph, **id, fold));
+            if here().count() > 0 && here().all(|id| may_leave_out(graph, *id)) {
+                terms.lists.push(fold);
+                here().for_each(|id| terms.add(graph, *id));
+            }
+        }
+        terms
+    }
+
+    fn add(&mut self, graph: &Graph, id: Id) {
+        let Op::Fold(kind, fold, arguments) = graph.op(id) else {
+            return;
+        };
+        let (fold, greatest) = (*fold, *kind == FoldKind::Maximum);
+        let Some(&term) = arguments.first() else {
+            return;
+        };
+        let extreme = Extreme {
+            fold,
+            number: term,
+            greatest,
+        };
+        if *kind == FoldKind::Sum {
+            self.sums.push(Sum { id, fold, term });
+        } else if !self.extremes.contains(&extreme) {
+            self.extremes.push(extreme);
+        }
+    }
+
+    /// How many sums may leave out rows.
+    pub fn rests(&self) -> usize {
+        self.sums.len()
+    }
+
+    /// A sum's place in `Active::rest`.
+    pub fn rest(&self, id: Id) -> Option<Literal> {
+        let place = self.sums.iter().position(|s| s.id == id);
+        place.map(Literal::usize_unsuffixed)
+    }
+
+    /// The body of the function `terms`: a loop for each of the folds.
+    pub fn body(&self, graph: &Graph, target: &mut Enclosure) -> TokenStream {
+        let loops = self
+            .lists
+            .iter()
+            .map(|&fold| self.rows(graph, target, fold));
+        quote!(#(#loops)*)
+    }
+
+    fn rows(&self, graph: &Graph, target: &mut Enclosure, fold: usize) -> TokenStream {
+        let scope = graph.chain(fold);
+        let (header, start) = super::block::Target::enter(target, fold, scope);
+        let mut known: HashMap<Id, Value> = HashMap::new();
+        let (mut body, mut tell) = (TokenStream::new(), TokenStream::new());
+        let mut compute = |id: Id| block(graph, target, scope, &[id], &mut known, &mut body).pop();
+        for (place, sum) in self.sums.iter().enumerate().filter(|(_, s)| s.fold == fold) {
+            let Some(Value { name, flags }) = compute(sum.term) else {
+                continue;
+            };
+            let place = Literal::usize_unsuffixed(place);
+            let flags = flags.map_or_else(|| quote!(a.clear()), |f| quote!(#f));
+            tell.extend(quote!(to.term(row, #place, #name, #flags);));
+        }
+        for (place, extreme) in self
+            .extremes
+            .iter()
+            .enumerate()
+            .filter(|(_, e)| e.fold == fold)
+        {
+            let Some(Value { name, flags }) = compute(extreme.number) else {
+                continue;
+            };
+            let place = Literal::usize_unsuffixed(place);
+            let number = if extreme.greatest {
+                quote!(a.neg(#name))
+            } else {
+                quote!(#name)
+            };
+            let flags = flags.map_or_else(|| quote!(a.clear()), |f| quote!(#f));
+            tell.extend(quote!(to.candidate(row, #place, #number, #flags);));
+        }
+        let (at, list) = (format_ident!("j{fold}"), target.layout.active(fold));
+        quote! { #header { #start #body let row = __zeroset::ActiveRow { list: #list, at: #at }; #tell } }
+    }
+}
+
+fn over(graph: &Graph, id: Id, fold: usize) -> bool {
+    matches!(graph.op(id), Op::Fold(_, of, _) if *of == fold)
+}
+
+fn may_leave_out(graph: &Graph, id: Id) -> bool {
+    !matches!(graph.op(id), Op::Fold(FoldKind::Product, ..))
+        && graph.info(id).scope == Scope::default()
+}
+
+/// All folds that code over segments runs.
+fn folds(graph: &Graph, staged: &Staged, ready: impl Fn(Id) -> bool) -> Vec<Id> {
+    let written = staged.jet.iter().flatten();
+    let roots: Vec<Id> = written
+        .chain(staged.over.iter().flatten())
+        .copied()
+        .collect();
+    let mut all = graph.reachable(&roots, &ready);
+    all.retain(|id| !ready(*id) && matches!(graph.op(*id), Op::Fold(..)));
+    all
+}

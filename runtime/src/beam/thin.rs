@@ -1,0 +1,223 @@
+//! Which rows of a surface's tables matter in a beam.
+//!
+//! A row is left out where its terms are lost beside the others', or where another row's number is certainly less than its
+//! own. What the rows that are left out add is enclosed, and added wherever the list is used.
+
+use crate::interval::{Arithmetic, Flags, Interval, Packet, Scalar};
+use crate::surface::{Active, Rest, Row, Terms};
+
+/// Terms that together are less than this part of the greatest are not visited …
+const LOST: f64 = 1.0 / (1u64 << 46) as f64;
+/// … and in rough looks those below this part.
+const ROUGH: f64 = 1.0 / (1u64 << 12) as f64;
+
+/// The terms of all active rows over eight beams.
+#[derive(Default)]
+pub(crate) struct Thin {
+    terms: Vec<Term>,
+    candidates: Vec<Candidate>,
+    /// For each sum, the greatest magnitude of a term in each beam.
+    greatest: Vec<[f64; 8]>,
+    /// For each minimum, an upper bound of it in each beam.
+    least: Vec<[f64; 8]>,
+    /// For each row of each list, how much it matters in each beam: its greatest part of a sum.
+    weights: Vec<Vec<[f64; 8]>>,
+}
+
+struct Term {
+    row: Row,
+    sum: usize,
+    lo: [f64; 8],
+    hi: [f64; 8],
+    /// Beams in which it is certainly defined and smooth.
+    sure: u8,
+}
+
+struct Candidate {
+    row: Row,
+    minimum: usize,
+    lo: [f64; 8],
+    /// Beams in which it is certainly defined.
+    sure: u8,
+}
+
+impl Term {
+    fn magnitude(&self, lane: usize) -> f64 {
+        self.lo[lane].abs().max(self.hi[lane].abs())
+    }
+}
+
+impl<P: Packet + Arithmetic<Packet = P, Value = Interval<P::F>>> Terms<P> for (P, &mut Thin) {
+    #[inline(always)]
+    fn term(&mut self, row: Row, sum: usize, term: Interval<P::F>, flags: Flags<P>) {
+        let p = self.0;
+        let smooth = p.and_not(flags.sound(p), flags.kink);
+        self.1.add_term(Term {
+            row,
+            sum,
+            lo: p.to_array(term.lo),
+            hi: p.to_array(term.hi),
+            sure: p.bits(smooth),
+        });
+    }
+
+    #[inline(always)]
+    fn candidate(&mut self, row: Row, minimum: usize, number: Interval<P::F>, flags: Flags<P>) {
+        let p = self.0;
+        let candidate = Candidate {
+            row,
+            minimum,
+            lo: p.to_array(number.lo),
+            sure: !p.bits(p.or(flags.undefined, flags.empty)),
+        };
+        self.1.add_candidate(candidate, p.to_array(number.hi));
+    }
+}
+
+/// The entry of `values` with this index, which is made if it is not there.
+fn entry(values: &mut Vec<[f64; 8]>, index: usize, start: f64) -> &mut [f64; 8] {
+    if values.len() <= index {
+        values.resize(index + 1, [start; 8]);
+    }
+    &mut values[index]
+}
+
+impl Thin {
+    fn add_term(&mut self, term: Term) {
+        let greatest = entry(&mut self.greatest, term.sum, 0.0);
+        for (lane, greatest) in greatest.iter_mut().enumerate() {
+            *greatest = greatest.max(term.magnitude(lane));
+        }
+        self.terms.push(term);
+    }
+
+    fn add_candidate(&mut self, candidate: Candidate, hi: [f64; 8]) {
+        // An upper bound holds where the number is defined; where it may not be, the row stays.
+        let least = entry(&mut self.least, candidate.minimum, f64::INFINITY);
+        for (least, hi) in least.iter_mut().zip(hi) {
+            *least = least.min(hi);
+        }
+        self.candidates.push(candidate);
+    }
+
+    /// Forgets all, and keeps the room.
+    pub fn clear(&mut self) {
+        self.terms.clear();
+        self.candidates.clear();
+        self.greatest.clear();
+        self.least.clear();
+    }
+
+    /// What of `active` is still active in each of the beams of `live`.
+    pub fn lists(&mut self, active: &Active, live: u8, to: &mut [Active; 8]) {
+        self.weigh(active);
+        for (lane, to) in to
+            .iter_mut()
+            .enumerate()
+            .filter(|(k, _)| live >> k & 1 != 0)
+        {
+            to.clone_from(active);
+            for rest in &mut to.rest {
+                rest.rough = rest.all;
+            }
+            let mut cuts = Vec::with_capacity(active.rows.len());
+            for (list, rows) in active.rows.iter().enumerate() {
+                let weights = &self.weights[list];
+                let cut = [LOST, ROUGH].map(|part| cut(weights, lane, part));
+                let with = |test: &dyn Fn(u32) -> bool, to: &mut Vec<u32>| {
+                    let kept = rows
+                        .iter()
+                        .zip(weights)
+                        .filter(|(_, w)| test(step(w[lane])));
+                    to.extend(kept.map(|(row, _)| row));
+                };
+                let list_to = &mut to.rows[list];
+                list_to.clear();
+                with(&|step| step < cut[1], list_to);
+                to.rough[list] = list_to.len();
+                with(&|step| step >= cut[1] && step < cut[0], list_to);
+                cuts.push(cut);
+            }
+            self.add_rests(lane, &cuts, &mut to.rest);
+        }
+    }
+
+    /// What the rows behind the cuts add.
+    fn add_rests(&self, lane: usize, cuts: &[[u32; 2]], rests: &mut [Rest]) {
+        for term in &self.terms {
+            let cut = cuts[term.row.list];
+            let step = step(self.weights[term.row.list][term.row.at][lane]);
+            let (lo, hi) = (term.lo[lane], term.hi[lane]);
+            let rest = &mut rests[term.sum];
+            for (rest, cut) in [&mut rest.all, &mut rest.rough].into_iter().zip(cut) {
+                if step >= cut {
+                    *rest = Scalar.add(*rest, Interval { lo, hi });
+                }
+            }
+        }
+    }
+
+    /// Infinite is what cannot be left out, and 0 what has no part in anything.
+    fn weigh(&mut self, active: &Active) {
+        self.weights.resize(active.rows.len(), Vec::new());
+        for (weights, rows) in self.weights.iter_mut().zip(&active.rows) {
+            weights.clear();
+            weights.resize(rows.len(), [-1.0; 8]);
+        }
+        for term in &self.terms {
+            let greatest = &self.greatest[term.sum];
+            let weights = &mut self.weights[term.row.list][term.row.at];
+            for (lane, weight) in weights.iter_mut().enumerate() {
+                let part = term.magnitude(lane) / greatest[lane];
+                let sure = term.sure >> lane & 1 != 0 && greatest[lane] < f64::INFINITY;
+                let nothing = term.magnitude(lane) == 0.0;
+                *weight = weight.max(match (sure, nothing) {
+                    (true, true) => 0.0,
+                    (true, false) if part < f64::INFINITY => part,
+                    _ => f64::INFINITY,
+                });
+            }
+        }
+        for candidate in &self.candidates {
+            let least = &self.least[candidate.minimum];
+            let weights = &mut self.weights[candidate.row.list][candidate.row.at];
+            for (lane, weight) in weights.iter_mut().enumerate() {
+                let beaten = candidate.sure >> lane & 1 != 0 && least[lane] < candidate.lo[lane];
+                *weight = weight.max(if beaten { 0.0 } else { f64::INFINITY });
+            }
+        }
+        // Nothing was told about these: all of them stay.
+        for weight in self
+            .weights
+            .iter_mut()
+            .flatten()
+            .flatten()
+            .filter(|w| **w < 0.0)
+        {
+            *weight = f64::INFINITY;
+        }
+    }
+}
+
+/// How many steps there are.
+const STEPS: usize = 64;
+
+/// The powers of two from 1 down to a weight: up to [`STEPS`].
+fn step(weight: f64) -> u32 {
+    let exponent = (weight.to_bits() >> 52) as u32;
+    1023u32.saturating_sub(exponent).min(STEPS as u32 - 1)
+}
+
+/// The first step of those whose weights together are at most `part`.
+fn cut(weights: &[[f64; 8]], lane: usize, part: f64) -> u32 {
+    let mut sums = [0.0; STEPS];
+    for weight in weights {
+        sums[step(weight[lane]) as usize] += weight[lane];
+    }
+    let mut together = 0.0;
+    let fits = |sum: &&f64| {
+        together += **sum;
+        together <= part
+    };
+    (STEPS - sums.iter().rev().take_while(fits).count()) as u32
+}
