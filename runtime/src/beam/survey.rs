@@ -135,9 +135,14 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
         let inside = p.and(found.one, group.inside(p, &t, domain));
         if active.is_list() {
             let last = p.select(inside, found.back, surveyor.end);
+            let thin = &mut findings.thin;
+            thin.clear();
+            thin.measuring = true;
+            let front = surveyor.middle(found.front, Direction::Any);
+            surveyor.surface.terms(p, &front, thin);
+            thin.measuring = false;
             let over = surveyor.around(found.front, last);
-            findings.thin.clear();
-            surveyor.surface.terms(p, &over, &mut findings.thin);
+            surveyor.surface.terms(p, &over, thin);
             let open = p.bits(found.open);
             findings.thin.lists(active, open, &mut findings.active);
         } else {
@@ -401,25 +406,29 @@ impl<P: Packet> Surveyor<'_, P> {
         [at, right, up]
     }
 
-    /// f and its derivative in a direction on the middle ray, nearly.
+    /// A point of the middle ray, nearly, and a direction.
     #[inline(always)]
-    fn plainly(&mut self, x: P::F, direction: Direction) -> [P::F; 2] {
-        let p = self.p;
-        let (zero, half) = (p.splat(0.0), p.splat(0.5));
-        *self.count += 1;
+    fn middle(&self, x: P::F, direction: Direction) -> Towards<P::F> {
+        let zero = self.p.splat(0.0);
         let over = Slab {
             t: Interval { lo: x, hi: x },
             half: [zero; 2],
         };
-        let f = self.surface.slope(
-            p,
-            &Towards {
-                over,
-                direction,
-                tilt: zero,
-                turn: [zero; 2],
-            },
-        );
+        Towards {
+            over,
+            direction,
+            tilt: zero,
+            turn: [zero; 2],
+        }
+    }
+
+    /// f and its derivative in a direction on the middle ray, nearly.
+    #[inline(always)]
+    fn plainly(&mut self, x: P::F, direction: Direction) -> [P::F; 2] {
+        let p = self.p;
+        let half = p.splat(0.5);
+        *self.count += 1;
+        let f = self.surface.slope(p, &self.middle(x, direction));
         f.d.map(|f| p.mul_rn(half, p.add_rn(f.lo, f.hi)))
     }
 

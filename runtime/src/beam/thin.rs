@@ -6,7 +6,7 @@
 use crate::interval::{Arithmetic, Flags, Interval, Packet, Scalar};
 use crate::surface::{Active, Rest, Row, Terms};
 
-/// Terms that together are less than this part of the greatest are not visited …
+/// Terms that together are less than this part of the greatest at the front are not visited …
 const LOST: f64 = 1.0 / (1u64 << 46) as f64;
 /// … and in rough looks those below this part.
 const ROUGH: f64 = 1.0 / (1u64 << 12) as f64;
@@ -14,9 +14,11 @@ const ROUGH: f64 = 1.0 / (1u64 << 12) as f64;
 /// The terms of all active rows over eight beams.
 #[derive(Default)]
 pub(crate) struct Thin {
+    /// Are terms measured only, at the front on the middle ray, to know how large they are where roots are?
+    pub measuring: bool,
     terms: Vec<Term>,
     candidates: Vec<Candidate>,
-    /// For each sum, the greatest magnitude of a term in each beam.
+    /// For each sum, the greatest magnitude of a term in each beam, at the front.
     greatest: Vec<[f64; 8]>,
     /// For each minimum, an upper bound of it in each beam.
     least: Vec<[f64; 8]>,
@@ -52,18 +54,25 @@ impl<P: Packet + Arithmetic<Packet = P, Value = Interval<P::F>>> Terms<P> for (P
     fn term(&mut self, row: Row, sum: usize, term: Interval<P::F>, flags: Flags<P>) {
         let p = self.0;
         let smooth = p.and_not(flags.sound(p), flags.kink);
-        self.1.add_term(Term {
+        let term = Term {
             row,
             sum,
             lo: p.to_array(term.lo),
             hi: p.to_array(term.hi),
             sure: p.bits(smooth),
-        });
+        };
+        match self.1.measuring {
+            true => self.1.measure(&term),
+            false => self.1.terms.push(term),
+        }
     }
 
     #[inline(always)]
     fn candidate(&mut self, row: Row, minimum: usize, number: Interval<P::F>, flags: Flags<P>) {
         let p = self.0;
+        if self.1.measuring {
+            return;
+        }
         let candidate = Candidate {
             row,
             minimum,
@@ -83,12 +92,11 @@ fn entry(values: &mut Vec<[f64; 8]>, index: usize, start: f64) -> &mut [f64; 8] 
 }
 
 impl Thin {
-    fn add_term(&mut self, term: Term) {
+    fn measure(&mut self, term: &Term) {
         let greatest = entry(&mut self.greatest, term.sum, 0.0);
         for (lane, greatest) in greatest.iter_mut().enumerate() {
             *greatest = greatest.max(term.magnitude(lane));
         }
-        self.terms.push(term);
     }
 
     fn add_candidate(&mut self, candidate: Candidate, hi: [f64; 8]) {

@@ -214,6 +214,14 @@ impl Layout {
         quote!(#place.len())
     }
 
+    /// Notes what is active, if there is a choice.
+    pub fn copy_active(&self, bound: &TokenStream) -> TokenStream {
+        if self.outermost.is_empty() {
+            return TokenStream::new();
+        }
+        quote!(#bound.2.clone_from(active);)
+    }
+
     /// The list of a fold's active rows: its index in `Active::rows`.
     pub fn active(&self, fold: usize) -> Option<Literal> {
         self.outermost

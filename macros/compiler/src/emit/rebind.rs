@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 /// `rebind`.
 pub fn rebind(compiled: &Compiled) -> TokenStream {
     let layout = compiled.layout;
+    let active = layout.copy_active(&quote!(to));
     let rows = (0..layout.rows.len()).map(|k| rows(compiled, k));
     quote! {
         #[inline(always)]
@@ -17,7 +18,7 @@ pub fn rebind(compiled: &Compiled) -> TokenStream {
             to: &mut Self::Bound<R::To>,
         ) -> __zeroset::primitive::bool {
             __zeroset::rebind_leaves(map, (&from.0, &from.1), (&mut to.0, &mut to.1));
-            to.2.clone_from(active);
+            #active
             #(#rows)*
             true
         }

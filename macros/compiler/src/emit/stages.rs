@@ -134,6 +134,7 @@ impl Compiled<'_> {
             .rows
             .iter()
             .map(|_| quote!(__zeroset::Vec::new()));
+        let active = self.layout.copy_active(&quote!(bound));
         let mut before = TokenStream::new();
         let shared = self.bind_shared(&mut before);
         let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k, &shared));
@@ -160,7 +161,7 @@ impl Compiled<'_> {
                 active: &__zeroset::Active,
                 bound: &mut Self::Bound<P>,
             ) {
-                bound.2.clone_from(active);
+                #active
                 #top
                 #before
                 #(#rows)*
