@@ -31,6 +31,12 @@ implicit! {
 
 implicit! {
     #[derive(Clone)]
+    struct Balls { rows: [[f64; 4]] }
+    min([cx, cy, cz, r] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 - r^2 } = 0
+}
+
+implicit! {
+    #[derive(Clone)]
     struct Barth;
     let phi = (1 + sqrt(5)) / 2;
     let p = 1.9*x;
@@ -57,17 +63,35 @@ fn main() {
     measure(&only, "Barth sextic", &Barth, &camera);
     measure(&only, "8 exponentials", &exponentials(8), &camera);
     measure(&only, "64 exponentials", &exponentials(64), &camera);
+    measure(&only, "64 balls", &balls(64), &camera);
 }
 
-/// Negative definite quadratics around centres inside the ball of radius 0.7, from a fixed seed.
-fn exponentials(terms: usize) -> Exponentials {
+/// Numbers in [0, 1), always the same.
+fn numbers() -> impl FnMut() -> f64 {
     let mut state = 1u64;
-    let mut random = move || {
+    move || {
         state = state
             .wrapping_mul(6364136223846793005)
             .wrapping_add(1442695040888963407);
         (state >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// Balls inside the cube, from a fixed seed.
+fn balls(count: usize) -> Balls {
+    let mut random = numbers();
+    let mut row = || {
+        let c: [f64; 3] = std::array::from_fn(|_| 1.6 * random() - 0.8);
+        [c[0], c[1], c[2], 0.08 + 0.1 * random()]
     };
+    Balls {
+        rows: (0..count).map(|_| row()).collect(),
+    }
+}
+
+/// Negative definite quadratics around centres inside the ball of radius 0.7, from a fixed seed.
+fn exponentials(terms: usize) -> Exponentials {
+    let mut random = numbers();
     let mut rows = Vec::new();
     while rows.len() < terms {
         let c: [f64; 3] = std::array::from_fn(|_| 1.4 * random() - 0.7);

@@ -10,6 +10,7 @@ mod frame;
 mod group;
 mod hint;
 mod leaf;
+mod rows;
 mod survey;
 #[cfg(test)]
 mod tests;
@@ -20,5 +21,6 @@ pub(crate) use group::{Grid, Group};
 pub(crate) use hint::{Hint, Single};
 pub(crate) use leaf::{Assemble, Shift};
 pub use leaf::{Direction, LinearOver, OverBeams, QuadraticOver, Slab, Towards};
+pub(crate) use rows::Rows;
 pub(crate) use survey::{Bundle, Findings, Request, Scout, Space};
 pub(crate) use thin::Thin;

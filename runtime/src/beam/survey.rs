@@ -1,6 +1,6 @@
 //! What is certain for all rays of a beam: where there is no root, and where there is exactly one on each ray.
 
-use super::{Direction, Frame, Grid, Group, Hint, Shift, Single, Slab, Thin, Towards};
+use super::{Direction, Frame, Grid, Group, Hint, Rows, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
 use crate::solve::{Enclosed, differentiable, excluded, nonzero, select};
 use crate::surface::Active;
@@ -35,7 +35,7 @@ pub(crate) struct Request<'a> {
     /// What is known about all of them.
     pub known: &'a Hint,
     /// The rows that matter in them.
-    pub active: &'a Active,
+    pub rows: &'a Rows,
 }
 
 /// What is found out about eight beams.
@@ -43,7 +43,7 @@ pub(crate) struct Request<'a> {
 pub(crate) struct Findings {
     pub hints: [Hint; 8],
     /// The rows that matter in each, if it is open.
-    pub active: [Active; 8],
+    pub rows: [Rows; 8],
     /// Evaluations, counted once for all eight.
     pub count: u64,
     thin: Thin,
@@ -69,23 +69,16 @@ impl<P: Packet> Scout<P> {
         match SCOUTS.iter().find_map(|scout| scout.downcast_ref::<Self>()) {
             Some(scout) => scout.0(p, surface, request, findings),
             // All back-ends are listed; one that were not would know nothing.
-            None => findings.know(&Hint::OPEN, request.active),
+            None => findings.know(&Hint::OPEN, request.rows),
         }
     }
 }
 
 impl Findings {
     /// The same of all beams.
-    pub fn know(&mut self, hint: &Hint, active: &Active) {
+    pub fn know(&mut self, hint: &Hint, rows: &Rows) {
         self.hints = [*hint; 8];
-        self.keep(active);
-    }
-
-    /// What mattered in all beams matters in each.
-    fn keep(&mut self, active: &Active) {
-        for list in &mut self.active {
-            list.clone_from(active);
-        }
+        self.rows.iter_mut().for_each(|own| own.copy(rows));
     }
 }
 
@@ -99,30 +92,63 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self, p: P) {
+    fn call(mut self, p: P) {
         let Request {
             space: Space { frame, domain },
             corner,
             grid,
             live,
             known,
-            active,
+            rows,
         } = *self.request;
-        let findings = self.findings;
         let group = Group::new(p, frame, corner, grid);
-        self.surface.shift(p, &group.shift(p), active);
         let span = group.span(p, domain);
         let start = p.splat((known.front - frame.near).max(0.0));
         let start = p.max_f(start, span.lo);
+        let last = p.max_f(span.hi, start);
+        let reach = p.splat(rows.reach - frame.near);
+        let near = Stretch {
+            live: p.and(p.mask(live), p.le(start, span.hi)),
+            start,
+            end: p.max_f(p.min_f(last, reach), start),
+            last,
+            first: p.splat(known.length.min(0.25 * (frame.far - frame.near))),
+        };
+        let mut found = self.look(p, &group, &near, &rows.near, rows.reach == f64::INFINITY);
+        let passed = p.and_not(p.and(near.live, p.lt(near.end, last)), found.open);
+        if p.any(passed) {
+            let behind = Stretch {
+                live: passed,
+                start: near.end,
+                end: last,
+                first: found.length,
+                ..near
+            };
+            let more = self.look(p, &group, &behind, &rows.all, true);
+            found.join(p, passed, &more);
+        }
+        self.findings.hints = found.hints(p, frame);
+    }
+}
+
+impl<P: Packet> Survey<'_, '_, P> {
+    /// Looks along a stretch with these rows, and notes which rows matter where beams are open.
+    #[inline(always)]
+    fn look(
+        &mut self,
+        p: P,
+        group: &Group<P>,
+        stretch: &Stretch<P>,
+        active: &Active,
+        to_the_end: bool,
+    ) -> Found<P> {
+        self.surface.shift(p, &group.shift(p), active);
         let mut surveyor = Surveyor {
             p,
             surface: self.surface,
-            group: &group,
-            live: p.and(p.mask(live), p.le(start, span.hi)),
-            start,
-            end: p.max_f(span.hi, start),
-            first: p.splat(known.length.min(0.25 * (frame.far - frame.near))),
-            count: &mut findings.count,
+            group,
+            stretch,
+            count: &mut self.findings.count,
         };
         let mut found = surveyor.march();
         if p.any(found.open) {
@@ -132,39 +158,43 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
             lo: found.front,
             hi: found.back,
         };
-        let inside = p.and(found.one, group.inside(p, &t, domain));
-        if active.is_list() {
-            let last = p.select(inside, found.back, surveyor.end);
-            let thin = &mut findings.thin;
-            thin.clear();
-            thin.measuring = true;
-            let front = surveyor.middle(found.front, Direction::Any);
-            surveyor.surface.terms(p, &front, thin);
-            thin.measuring = false;
-            let over = surveyor.around(found.front, last);
-            surveyor.surface.terms(p, &over, thin);
-            let open = p.bits(found.open);
-            findings.thin.lists(active, open, &mut findings.active);
-        } else {
-            findings.keep(active);
+        found.inside = p.and(found.one, group.inside(p, &t, self.request.space.domain));
+        if p.any(found.open) {
+            let (thin, rows) = (&mut self.findings.thin, &mut self.findings.rows);
+            let frame = self.request.space.frame;
+            surveyor.choose(
+                &found,
+                frame,
+                thin,
+                (self.request.rows, active, to_the_end),
+                rows,
+            );
         }
-        findings.hints = found.hints(p, frame, p.bits(inside));
+        found
     }
 }
 
-/// Eight beams and where to look; t counts from the frame's `near`.
+/// Where eight beams are looked at; t counts from the frame's `near`.
+#[derive(Clone, Copy)]
+struct Stretch<P: Packet> {
+    /// The beams that are looked at.
+    live: P::M,
+    /// No root lies before this.
+    start: P::F,
+    /// Where the look ends, …
+    end: P::F,
+    /// … and what lies behind this is of no interest.
+    last: P::F,
+    /// How long the first step is.
+    first: P::F,
+}
+
+/// Eight beams.
 struct Surveyor<'a, P: Packet> {
     p: P,
     surface: &'a dyn Bundle<P>,
     group: &'a Group<'a, P>,
-    /// The beams that are looked at.
-    live: P::M,
-    /// No root lies before this …
-    start: P::F,
-    /// … and what lies behind this is of no interest.
-    end: P::F,
-    /// How long the first step is.
-    first: P::F,
+    stretch: &'a Stretch<P>,
     /// Evaluations, each of eight beams.
     count: &'a mut u64,
 }
@@ -183,14 +213,32 @@ struct Found<P: Packet> {
     back: P::F,
     /// … and this derivative along it.
     slope: Interval<P::F>,
+    /// Beams that are in the surface's box between `front` and `back`.
+    inside: P::M,
     /// Where the roots may be.
     plane: [P::F; 3],
 }
 
 impl<P: Packet> Found<P> {
+    /// Takes over what was found about the beams of `lanes`.
+    #[inline(always)]
+    fn join(&mut self, p: P, lanes: P::M, other: &Self) {
+        let mask = |own: P::M, other: P::M| p.or(p.and_not(own, lanes), p.and(other, lanes));
+        self.open = mask(self.open, other.open);
+        self.one = mask(self.one, other.one);
+        self.inside = mask(self.inside, other.inside);
+        self.front = p.select(lanes, other.front, self.front);
+        self.length = p.select(lanes, other.length, self.length);
+        self.back = p.select(lanes, other.back, self.back);
+        self.slope = select(p, lanes, &other.slope, &self.slope);
+        for (own, other) in self.plane.iter_mut().zip(&other.plane) {
+            *own = p.select(lanes, *other, *own);
+        }
+    }
+
     /// From the frame's t to the rays', which differ by the frame's slack.
     #[inline(always)]
-    fn hints(&self, p: P, frame: &Frame, inside: u8) -> [Hint; 8] {
+    fn hints(&self, p: P, frame: &Frame) -> [Hint; 8] {
         let near = p.splat(frame.near);
         let slack = p.splat(frame.slack);
         let free = p.to_array(p.sub_rd(p.add_rd(self.front, near), slack));
@@ -200,6 +248,7 @@ impl<P: Packet> Found<P> {
         let (lo, hi) = (p.to_array(self.slope.lo), p.to_array(self.slope.hi));
         let [at, right, up] = self.plane.map(|x| p.to_array(x));
         let (open, one) = (p.bits(self.open), p.bits(self.one));
+        let inside = p.bits(self.inside);
         let mut hints = [Hint::OPEN; 8];
         for (lane, hint) in hints.iter_mut().enumerate() {
             *hint = Hint {
@@ -227,6 +276,9 @@ struct Sides<P: Packet> {
 /// Beams are not split below so many of their widths: what is nearer is the business of the narrower beams inside.
 const SHORTEST: f64 = 0.5;
 
+/// How many widths of a beam are near its front.
+const REACH: f64 = 6.0;
+
 impl<P: Packet> Surveyor<'_, P> {
     #[inline(always)]
     fn value(&mut self, over: &Slab<P::F>) -> Enclosed<P, 1> {
@@ -247,6 +299,58 @@ impl<P: Packet> Surveyor<'_, P> {
             .towards(p, self.group.slab(p, &t), Direction::Any)
     }
 
+    /// Chooses the rows that matter in the open beams among those of `active`, which hold to the end of the stretch or of
+    /// all: up to a few widths from the front or behind the only root, and on all of the rest.
+    #[inline(always)]
+    fn choose(
+        &self,
+        found: &Found<P>,
+        frame: &Frame,
+        thin: &mut Thin,
+        (given, active, to_the_end): (&Rows, &Active, bool),
+        rows: &mut [Rows; 8],
+    ) {
+        let p = self.p;
+        let open = p.bits(found.open);
+        let lanes = move || (0..8).filter(move |lane| open >> lane & 1 != 0);
+        if !active.is_list() {
+            lanes().for_each(|lane| rows[lane].copy(given));
+            return;
+        }
+        let Stretch { end, last, .. } = *self.stretch;
+        let width = self.group.width(p, found.front);
+        let ahead = p.add_rn(found.front, p.mul_rn(width, p.splat(REACH)));
+        let reach = p.min_f(p.select(found.one, found.back, ahead), end);
+        thin.measure(|to| {
+            self.surface
+                .terms(p, &self.middle(found.front, Direction::Any), to)
+        });
+        thin.weigh(active, |to| {
+            self.surface.terms(p, &self.around(found.front, reach), to)
+        });
+        let all = p.or(found.inside, p.le(last, reach));
+        let reach = p.select(
+            all,
+            p.splat(f64::INFINITY),
+            p.add_rd(reach, p.splat(frame.near)),
+        );
+        let reach = p.to_array(reach);
+        for lane in lanes() {
+            thin.choose(active, lane, &mut rows[lane].near);
+            rows[lane].reach = reach[lane];
+            rows[lane].all.clone_from(&given.all);
+        }
+        let all = p.bits(all);
+        if to_the_end && open & !all != 0 {
+            thin.weigh(active, |to| {
+                self.surface.terms(p, &self.around(found.front, last), to)
+            });
+            for lane in lanes().filter(|lane| all >> lane & 1 == 0) {
+                thin.choose(active, lane, &mut rows[lane].all);
+            }
+        }
+    }
+
     #[inline(always)]
     fn slope(&mut self, over: Slab<P::F>, direction: Direction) -> Enclosed<P, 2> {
         *self.count += 1;
@@ -259,14 +363,20 @@ impl<P: Packet> Surveyor<'_, P> {
     #[inline(always)]
     fn march(&mut self) -> Found<P> {
         let p = self.p;
-        let mut live = self.live;
+        let Stretch {
+            mut live,
+            start,
+            end,
+            first,
+            ..
+        } = *self.stretch;
         let mut open = p.none();
-        let mut front = self.start;
+        let mut front = start;
         let shortest = p.mul_rn(self.group.width(p, front), p.splat(SHORTEST));
-        let mut length = p.max_f(self.first, shortest);
+        let mut length = p.max_f(first, shortest);
         let mut round = 0;
         while p.any(live) {
-            let back = p.min_f(p.add_rn(front, length), self.end);
+            let back = p.min_f(p.add_rn(front, length), end);
             let t = Interval {
                 lo: front,
                 hi: p.max_f(back, front),
@@ -283,7 +393,7 @@ impl<P: Packet> Surveyor<'_, P> {
                 none = p.or(none, p.and(rest, certain));
             }
             front = p.select(none, t.hi, front);
-            live = p.and_not(live, p.and(none, p.le(self.end, front)));
+            live = p.and_not(live, p.and(none, p.le(end, front)));
             let failed = p.and_not(live, none);
             let part = p.mul_rn(length, p.splat(0.25));
             let stuck = p.and(failed, p.lt(part, shortest));
@@ -302,11 +412,12 @@ impl<P: Packet> Surveyor<'_, P> {
             front,
             length,
             one: p.none(),
-            back: self.end,
+            back: end,
             slope: Interval {
                 lo: front,
                 hi: front,
             },
+            inside: p.none(),
             plane: [front; 3],
         }
     }
@@ -353,7 +464,10 @@ impl<P: Packet> Surveyor<'_, P> {
         let back = p.add_rn(root, p.mul_rn(ahead, p.splat(1.25)));
         let slack = p.splat(8.0 * self.group.slack());
         let back = p.max_f(p.add_rn(back, slack), front);
-        let likely = p.and(found.open, p.and(p.le(back, self.end), p.lt(front, back)));
+        let likely = p.and(
+            found.open,
+            p.and(p.le(back, self.stretch.end), p.lt(front, back)),
+        );
         if !p.any(likely) {
             return;
         }
@@ -441,7 +555,7 @@ impl<P: Packet> Surveyor<'_, P> {
             let [value, slope] = self.plainly(x, Direction::Along);
             let next = p.sub_rn(x, p.div_rn(value, slope));
             // A step that leads nowhere, or is no number, is not taken.
-            let fine = p.and(p.le(front, next), p.le(next, self.end));
+            let fine = p.and(p.le(front, next), p.le(next, self.stretch.end));
             x = p.select(fine, next, x);
         }
         x

@@ -15,7 +15,7 @@ const ROUGH: f64 = 1.0 / (1u64 << 12) as f64;
 #[derive(Default)]
 pub(crate) struct Thin {
     /// Are terms measured only, at the front on the middle ray, to know how large they are where roots are?
-    pub measuring: bool,
+    measuring: bool,
     terms: Vec<Term>,
     candidates: Vec<Candidate>,
     /// For each sum, the greatest magnitude of a term in each beam, at the front.
@@ -62,7 +62,7 @@ impl<P: Packet + Arithmetic<Packet = P, Value = Interval<P::F>>> Terms<P> for (P
             sure: p.bits(smooth),
         };
         match self.1.measuring {
-            true => self.1.measure(&term),
+            true => self.1.add_measure(&term),
             false => self.1.terms.push(term),
         }
     }
@@ -92,7 +92,7 @@ fn entry(values: &mut Vec<[f64; 8]>, index: usize, start: f64) -> &mut [f64; 8] 
 }
 
 impl Thin {
-    fn measure(&mut self, term: &Term) {
+    fn add_measure(&mut self, term: &Term) {
         let greatest = entry(&mut self.greatest, term.sum, 0.0);
         for (lane, greatest) in greatest.iter_mut().enumerate() {
             *greatest = greatest.max(term.magnitude(lane));
@@ -108,46 +108,49 @@ impl Thin {
         self.candidates.push(candidate);
     }
 
-    /// Forgets all, and keeps the room.
-    pub fn clear(&mut self) {
-        self.terms.clear();
-        self.candidates.clear();
+    /// Learns how large terms are at the front.
+    pub fn measure(&mut self, tell: impl FnOnce(&mut Self)) {
         self.greatest.clear();
-        self.least.clear();
+        self.measuring = true;
+        tell(self);
+        self.measuring = false;
     }
 
-    /// What of `active` is still active in each of the beams of `live`.
-    pub fn lists(&mut self, active: &Active, live: u8, to: &mut [Active; 8]) {
-        self.weigh(active);
-        for (lane, to) in to
-            .iter_mut()
-            .enumerate()
-            .filter(|(k, _)| live >> k & 1 != 0)
-        {
-            to.clone_from(active);
-            for rest in &mut to.rest {
-                rest.rough = rest.all;
-            }
-            let mut cuts = Vec::with_capacity(active.rows.len());
-            for (list, rows) in active.rows.iter().enumerate() {
-                let weights = &self.weights[list];
-                let cut = [LOST, ROUGH].map(|part| cut(weights, lane, part));
-                let with = |test: &dyn Fn(u32) -> bool, to: &mut Vec<u32>| {
-                    let kept = rows
-                        .iter()
-                        .zip(weights)
-                        .filter(|(_, w)| test(step(w[lane])));
-                    to.extend(kept.map(|(row, _)| row));
-                };
-                let list_to = &mut to.rows[list];
-                list_to.clear();
-                with(&|step| step < cut[1], list_to);
-                to.rough[list] = list_to.len();
-                with(&|step| step >= cut[1] && step < cut[0], list_to);
-                cuts.push(cut);
-            }
-            self.add_rests(lane, &cuts, &mut to.rest);
+    /// Learns how much each row of `active` matters over a piece.
+    pub fn weigh(&mut self, active: &Active, tell: impl FnOnce(&mut Self)) {
+        self.terms.clear();
+        self.candidates.clear();
+        self.least.clear();
+        tell(self);
+        self.weigh_rows(active);
+    }
+
+    /// What of `active` is still active over this piece of a beam.
+    pub fn choose(&self, active: &Active, lane: usize, to: &mut Active) {
+        to.clone_from(active);
+        for rest in &mut to.rest {
+            rest.rough = rest.all;
         }
+        let mut cuts = Vec::with_capacity(active.rows.len());
+        for (list, (rows, weights)) in active.rows.iter().zip(&self.weights).enumerate() {
+            let [lost, rough] = [LOST, ROUGH].map(|part| cut(weights, lane, part));
+            let kept = &mut to.rows[list];
+            kept.clear();
+            let steps = || {
+                rows.iter()
+                    .zip(weights)
+                    .map(|(row, w)| (row, step(w[lane])))
+            };
+            kept.extend(steps().filter(|(_, s)| *s < rough).map(|(row, _)| row));
+            to.rough[list] = kept.len();
+            kept.extend(
+                steps()
+                    .filter(|(_, s)| (rough..lost).contains(s))
+                    .map(|(row, _)| row),
+            );
+            cuts.push([lost, rough]);
+        }
+        self.add_rests(lane, &cuts, &mut to.rest);
     }
 
     /// What the rows behind the cuts add.
@@ -166,7 +169,7 @@ impl Thin {
     }
 
     /// Infinite is what cannot be left out, and 0 what has no part in anything.
-    fn weigh(&mut self, active: &Active) {
+    fn weigh_rows(&mut self, active: &Active) {
         self.weights.resize(active.rows.len(), Vec::new());
         for (weights, rows) in self.weights.iter_mut().zip(&active.rows) {
             weights.clear();

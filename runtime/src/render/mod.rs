@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use crate::beam::{Findings, Frame, Hint, Request, Space};
+use crate::beam::{Findings, Frame, Hint, Request, Rows, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
 use crate::scene::{Label, Prepared, Scene, SceneError, TileJob, hull};
@@ -262,7 +262,7 @@ impl<'a> Job<'a> {
                     space: Space { frame, domain },
                     leaves: &**leaves,
                 }),
-                everything: surface.everything(),
+                everything: Rows::everything(surface.everything()),
             })
             .collect()
     }
@@ -306,7 +306,7 @@ impl<'a> Job<'a> {
                     grid: &GRID_OF_TILES,
                     live,
                     known: &Hint::OPEN,
-                    active: &job.everything,
+                    rows: &job.everything,
                 };
                 surface.survey(self.isa, beams, &request, &mut findings);
                 shard.statistics.evaluations.beams += findings.count;
@@ -339,7 +339,7 @@ impl<'a> Job<'a> {
         let clock = Instant::now();
         for ((job, surface), found) in surfaces.iter().zip(&self.prepared).zip(surveyed) {
             if found.hints[k].open {
-                surface.trace(job, (&found.hints[k], &found.active[k]), tile);
+                surface.trace(job, (&found.hints[k], &found.rows[k]), tile);
             }
         }
         let specials = settle(tile);

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use crate::beam::{Findings, Frame, Hint, Request};
+use crate::beam::{Findings, Frame, Hint, Request, Rows};
 use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::Isa;
@@ -46,7 +46,7 @@ pub(crate) struct TileJob<'a> {
     pub index: u16,
     pub beams: Option<WithBeams<'a>>,
     /// All rows of its tables.
-    pub everything: Active,
+    pub everything: Rows,
 }
 
 /// A surface after the surface stage, ready for any number of tiles.
@@ -58,7 +58,7 @@ pub(crate) trait Prepared: Send + Sync {
     /// All rows of its tables.
     fn everything(&self) -> Active;
     /// Traces the tile's rays inside the surface's box, and keeps what is nearer than what the tile holds.
-    fn trace(&self, job: &TileJob, known: (&Hint, &Active), tile: &mut Tile);
+    fn trace(&self, job: &TileJob, known: (&Hint, &Rows), tile: &mut Tile);
     /// Normals for the pixels that show this surface.
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile);
     /// All events along one ray, or those up to the first certain root.
@@ -128,7 +128,7 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
     fn everything(&self) -> Active {
         S::everything(&self.prepared)
     }
-    fn trace(&self, job: &TileJob, (hint, active): (&Hint, &Active), tile: &mut Tile) {
+    fn trace(&self, job: &TileJob, (hint, rows): (&Hint, &Rows), tile: &mut Tile) {
         job.isa.run(TraceTile::<S, C> {
             prepared: &self.prepared,
             settings: job.settings,
@@ -137,7 +137,7 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
             view: job.view,
             beams: job.beams,
             hint: *hint,
-            active,
+            rows,
             tile,
             solver: PhantomData,
         });

@@ -6,7 +6,7 @@ use super::sweep::Face;
 use super::tile::Explorer;
 use super::tree::Node;
 use super::{Part, Solid};
-use crate::beam::{Findings, Frame, Hint, Request};
+use crate::beam::{Findings, Frame, Hint, Request, Rows};
 use crate::camera::Ray;
 use crate::interval::{Interval, Isa, Kernel, Packet};
 use crate::ray::Lines;
@@ -200,14 +200,14 @@ impl Prepared for PreparedSolid<'_> {
     }
 
     fn survey(&self, _: Isa, _: WithBeams, request: &Request, findings: &mut Findings) {
-        findings.know(&Hint::OPEN, request.active);
+        findings.know(&Hint::OPEN, request.rows);
     }
 
     fn everything(&self) -> Active {
         Active::default()
     }
 
-    fn trace(&self, job: &TileJob, _known: (&Hint, &Active), tile: &mut Tile) {
+    fn trace(&self, job: &TileJob, _known: (&Hint, &Rows), tile: &mut Tile) {
         job.isa.run(AllRays {
             view: job.view,
             tile,

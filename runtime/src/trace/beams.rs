@@ -153,7 +153,7 @@ impl<S: Surface> Kernel for SurveyGrid<'_, S> {
     fn run<P: Packet>(self, p: P) {
         match OverGroup::<S, P>::new(p, self.prepared, &self.beams) {
             Some(mut over) => Scout::survey(p, &mut over, self.request, self.findings),
-            None => self.findings.know(&Hint::OPEN, self.request.active),
+            None => self.findings.know(&Hint::OPEN, self.request.rows),
         }
     }
 }

@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::beams::{OverGroup, WithBeams};
 use super::{Bind, Entries, FirstRoots, OnRays};
-use crate::beam::{Bundle, Findings, Grid, Hint, Request, Scout, Single, Space};
+use crate::beam::{Bundle, Findings, Grid, Hint, Request, Rows, Scout, Single, Space};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
@@ -24,7 +24,7 @@ pub(crate) struct TraceTile<'a, S: Surface, C> {
     /// What is known about the whole tile.
     pub hint: Hint,
     /// The rows that matter there.
-    pub active: &'a Active,
+    pub rows: &'a Rows,
     pub tile: &'a mut Tile,
     pub solver: PhantomData<C>,
 }
@@ -50,7 +50,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
             (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, &beams),
             _ => None,
         };
-        let known = (&self.hint, self.active);
+        let known = (&self.hint, self.rows);
         match (over, self.beams) {
             (Some(mut over), Some(beams)) => trace.cells(Some((&mut over, beams.space)), known),
             _ => trace.cells(None, known),
@@ -80,7 +80,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
     fn cells(
         &mut self,
         mut surface: Option<(&mut dyn Bundle<P>, Space)>,
-        (hint, active): (&Hint, &Active),
+        (hint, rows): (&Hint, &Rows),
     ) {
         let (mut cells, mut packets) = (Findings::default(), Findings::default());
         match &mut surface {
@@ -90,14 +90,14 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                     surface,
                     &Tile::GRID_OF_CELLS,
                     part,
-                    (hint, active),
+                    (hint, rows),
                     &mut cells,
                 );
             }
-            None => cells.know(hint, active),
+            None => cells.know(hint, rows),
         }
         let mut missed = 0;
-        for (cell, (hint, active)) in cells.hints.iter().zip(&cells.active).enumerate() {
+        for (cell, (hint, rows)) in cells.hints.iter().zip(&cells.rows).enumerate() {
             let first = cell * PACKETS_OF_CELL;
             missed |= u8::from(!hint.open) << cell;
             self.tile.full |= u8::from(hint.is_full()) << cell;
@@ -109,15 +109,15 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                         surface,
                         &Tile::GRID_OF_PACKETS,
                         part,
-                        (hint, active),
+                        (hint, rows),
                         &mut packets,
                     );
                 }
-                _ => packets.know(hint, active),
+                _ => packets.know(hint, rows),
             }
             for k in 0..PACKETS_OF_CELL {
                 if packets.hints[k].open {
-                    self.packet(first + k, &packets.hints[k], &packets.active[k]);
+                    self.packet(first + k, &packets.hints[k], &packets.rows[k]);
                 }
             }
         }
@@ -131,7 +131,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         (surface, space): &mut (&mut dyn Bundle<P>, Space),
         grid: &Grid,
         (corner, live): ([u32; 2], u8),
-        (known, active): (&Hint, &Active),
+        (known, rows): (&Hint, &Rows),
         findings: &mut Findings,
     ) {
         let request = Request {
@@ -140,26 +140,62 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             grid,
             live,
             known,
-            active,
+            rows,
         };
         Scout::survey(self.p, *surface, &request, findings);
     }
 
-    /// Traces a packet of the tile, of which this much is known.
+    /// Traces a packet of the tile, of which this much is known: where few rows of tables matter first. Rays that pass there,
+    /// or meet what is no certain root, are searched with all rows that matter.
     #[inline(always)]
-    fn packet(&mut self, number: usize, hint: &Hint, active: &Active) {
+    fn packet(&mut self, number: usize, hint: &Hint, rows: &Rows) {
         let p = self.p;
         self.tile.enter(p, self.view, number);
+        let mut left = Left {
+            lanes: p.not(p.none()),
+            from: p.splat(0.0),
+            spent: p.splat(0.0),
+        };
+        let mut look = (&rows.near, rows.reach);
+        loop {
+            left = self.search(number, hint, look, &left);
+            if look.1 == f64::INFINITY || !p.any(left.lanes) {
+                return;
+            }
+            look = (&rows.all, f64::INFINITY);
+        }
+    }
+
+    /// Searches up to the reach of the active rows; what is left to be searched behind it.
+    #[inline(always)]
+    fn search(
+        &mut self,
+        number: usize,
+        hint: &Hint,
+        (active, reach): (&Active, f64),
+        left: &Left<P>,
+    ) -> Left<P> {
+        let p = self.p;
         let corner = self.tile.corner_of(number);
         let packet = &mut self.tile.packets[number];
         let (mut over, live) = segment(p, packet, self.own);
         let entry = p.lanes(packet.record.entry);
         over.lo = p.max_f(over.lo, p.sub_rd(p.splat(hint.front), entry));
-        let live = p.and(live, p.le(over.lo, over.hi));
+        over.lo = p.max_f(over.lo, left.from);
+        let wanted = p.and(p.and(live, left.lanes), p.le(over.lo, over.hi));
+        let behind = over.hi;
+        over.hi = p.min_f(behind, p.sub_rd(p.splat(reach), entry));
+        let live = p.and(wanted, p.le(over.lo, over.hi));
+        let mut left = Left {
+            lanes: p.and(wanted, p.lt(over.hi, behind)),
+            from: p.max_f(over.lo, over.hi),
+            spent: left.spent,
+        };
         if !p.any(live) {
-            return;
+            return left;
         }
         over.lo = p.select(live, over.lo, p.splat(0.0));
+        over.hi = p.select(live, over.hi, p.splat(0.0));
         let end = p.select(live, over.hi, p.splat(-1.0));
         let rays = Rays::recentred(p, &packet.lines, entry, end);
         p.call(Bind::<S, P> {
@@ -186,7 +222,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                 rays: &rays,
             },
             counts: &mut self.tile.counts,
-            spent: p.splat(0.0),
+            spent: left.spent,
         };
         let job = FirstRoots::<S, P> {
             surface: &mut surface,
@@ -204,12 +240,31 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             solver: C::solver(),
         };
         let roots = job.find(p);
-        keep(p, packet, roots.hit, &roots.t, self.index);
+        left.spent = surface.spent;
+        let mut hit = roots.hit;
+        if self.events.touched != 0 && reach < f64::INFINITY {
+            // What the end of the reach, or rows that were left out, may have caused is looked at again.
+            let again = p.and(live, p.mask(self.events.touched));
+            self.events.clear();
+            hit = p.and_not(hit, again);
+            left.lanes = p.or(left.lanes, again);
+            left.from = p.select(again, p.splat(0.0), left.from);
+        }
+        left.lanes = p.and_not(left.lanes, hit);
+        keep(p, packet, hit, &roots.t, self.index);
         if self.events.touched != 0 {
             let events = (&mut self.events, &mut self.tile.events);
             collect(packet, number as u16, self.index, events);
         }
+        left
     }
+}
+
+/// Rays that are still to be searched, from where, and the evaluations that they took so far.
+struct Left<P: Packet> {
+    lanes: P::M,
+    from: P::F,
+    spent: P::F,
 }
 
 /// The brackets of the rays that stay in the box while they are in the piece that holds their only root.
