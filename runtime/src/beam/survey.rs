@@ -36,6 +36,8 @@ pub(crate) struct Request<'a> {
     pub known: &'a Hint,
     /// The rows that matter in them.
     pub rows: &'a Rows,
+    /// Choose among these rows?
+    pub thin: bool,
 }
 
 /// What is found out about eight beams.
@@ -100,6 +102,7 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
             live,
             known,
             rows,
+            ..
         } = *self.request;
         let group = Group::new(p, frame, corner, grid);
         let span = group.span(p, domain);
@@ -159,8 +162,15 @@ impl<P: Packet> Survey<'_, '_, P> {
             hi: found.back,
         };
         found.inside = p.and(found.one, group.inside(p, &t, self.request.space.domain));
-        if p.any(found.open) {
-            let (thin, rows) = (&mut self.findings.thin, &mut self.findings.rows);
+        let (thin, rows) = (&mut self.findings.thin, &mut self.findings.rows);
+        if !self.request.thin || !active.is_list() {
+            let open = p.bits(found.open);
+            let open = rows
+                .iter_mut()
+                .enumerate()
+                .filter(|(k, _)| open >> k & 1 != 0);
+            open.for_each(|(_, rows)| rows.copy(self.request.rows));
+        } else if p.any(found.open) {
             let frame = self.request.space.frame;
             surveyor.choose(
                 &found,
@@ -313,10 +323,6 @@ impl<P: Packet> Surveyor<'_, P> {
         let p = self.p;
         let open = p.bits(found.open);
         let lanes = move || (0..8).filter(move |lane| open >> lane & 1 != 0);
-        if !active.is_list() {
-            lanes().for_each(|lane| rows[lane].copy(given));
-            return;
-        }
         let Stretch { end, last, .. } = *self.stretch;
         let width = self.group.width(p, found.front);
         let ahead = p.add_rn(found.front, p.mul_rn(width, p.splat(REACH)));

@@ -6,10 +6,9 @@
 use crate::interval::{Arithmetic, Flags, Interval, Packet, Scalar};
 use crate::surface::{Active, Rest, Row, Terms};
 
-/// Terms that together are less than this part of the greatest at the front are not visited …
-const LOST: f64 = 1.0 / (1u64 << 46) as f64;
-/// … and in rough looks those below this part.
-const ROUGH: f64 = 1.0 / (1u64 << 12) as f64;
+/// Terms that together are less than this part of the greatest at the front are not visited, and in rough looks those
+/// below that part.
+const LOST: [f64; 2] = [1.0 / (1u64 << 46) as f64, 1.0 / (1u64 << 12) as f64];
 
 /// The terms of all active rows over eight beams.
 #[derive(Default)]
@@ -133,7 +132,7 @@ impl Thin {
         }
         let mut cuts = Vec::with_capacity(active.rows.len());
         for (list, (rows, weights)) in active.rows.iter().zip(&self.weights).enumerate() {
-            let [lost, rough] = [LOST, ROUGH].map(|part| cut(weights, lane, part));
+            let [lost, rough] = LOST.map(|part| cut(weights, lane, part));
             let kept = &mut to.rows[list];
             kept.clear();
             let steps = || {
@@ -231,4 +230,118 @@ fn cut(weights: &[[f64; 8]], lane: usize, part: f64) -> u32 {
         together <= part
     };
     (STEPS - sums.iter().rev().take_while(fits).count()) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Terms of many sizes over eight beams, always the same; and one whose row may be undefined.
+    fn told(rows: usize) -> (Active, Thin) {
+        let (mut thin, mut state) = (Thin::default(), 1u64);
+        let mut random = || {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let mut term = |at: usize, sum: usize| {
+            let lo = [0; 8].map(|_| (random() - 0.5) * (-60.0 * random()).exp2());
+            Term {
+                row: Row { list: 0, at },
+                sum,
+                lo,
+                hi: lo.map(|lo| lo + lo.abs() * random()),
+                sure: if at == 3 { 0 } else { !0 },
+            }
+        };
+        let terms: Vec<Term> = (0..rows)
+            .flat_map(|at| [term(at, 0), term(at, 1)])
+            .collect();
+        let active = Active::everything(&[rows], 2);
+        thin.measure(|thin| terms.iter().for_each(|term| thin.add_measure(term)));
+        thin.weigh(&active, |thin| thin.terms.extend(terms));
+        (active, thin)
+    }
+
+    /// What the rows of a list, and the rest, say of a sum.
+    fn total(thin: &Thin, chosen: &Active, lane: usize, sum: usize, rough: bool) -> Interval {
+        let visited = &chosen.rows[0][..chosen.visited(0, rough)];
+        let terms = thin
+            .terms
+            .iter()
+            .filter(|term| term.sum == sum && visited.contains(&(term.row.at as u32)));
+        let parts = terms.map(|term| Interval {
+            lo: term.lo[lane],
+            hi: term.hi[lane],
+        });
+        parts.fold(*chosen.rest(sum, rough), |sum, term| Scalar.add(sum, term))
+    }
+
+    #[test]
+    fn what_is_left_out_is_in_the_rest() {
+        let (active, thin) = told(100);
+        let (mut left_out, mut missed) = (0, 0);
+        for lane in 0..8 {
+            let mut chosen = Active::default();
+            thin.choose(&active, lane, &mut chosen);
+            assert!(chosen.rows[0].contains(&3), "it may be undefined");
+            left_out += 100 - chosen.rows[0].len();
+            assert!(chosen.visited(0, true) < chosen.visited(0, false));
+            for (sum, rough) in [(0, false), (0, true), (1, false), (1, true)] {
+                let (all, some) = (
+                    total(&thin, &active, lane, sum, false),
+                    total(&thin, &chosen, lane, sum, rough),
+                );
+                assert!(
+                    some.lo <= all.hi && all.lo <= some.hi,
+                    "{some:?} and {all:?}"
+                );
+                let noise = LOST[usize::from(rough)] * thin.greatest[sum][lane] + 1e-14;
+                assert!(some.hi - some.lo <= all.hi - all.lo + 2.0 * noise);
+                // The control: without the rest rough looks are wrong.
+                let mut poor = chosen.clone();
+                poor.rest = active.rest.clone();
+                let poor = total(&thin, &poor, lane, sum, rough);
+                missed += usize::from(rough && (poor.lo > all.lo || poor.hi < all.hi));
+            }
+        }
+        assert!(left_out > 20, "{left_out}");
+        assert!(missed > 8, "{missed}");
+    }
+
+    #[test]
+    fn a_minimum_keeps_what_may_be_least() {
+        let active = Active::everything(&[4], 0);
+        let numbers = [[0.0, 1.0], [0.5, 3.0], [1.5, 2.0], [2.0, 2.5]];
+        let mut thin = Thin::default();
+        thin.weigh(&active, |thin| {
+            for (at, [lo, hi]) in numbers.into_iter().enumerate() {
+                let candidate = Candidate {
+                    row: Row { list: 0, at },
+                    minimum: 0,
+                    lo: [lo; 8],
+                    // In the last beam nothing is certainly defined.
+                    sure: 0x7f,
+                };
+                thin.add_candidate(candidate, [hi; 8]);
+            }
+        });
+        let rows = |lane| {
+            let mut chosen = Active::default();
+            thin.choose(&active, lane, &mut chosen);
+            chosen.rows[0].clone()
+        };
+        assert_eq!(rows(0), [0, 1]);
+        assert_eq!(rows(7), [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn what_nothing_was_told_about_stays() {
+        let (active, mut thin) = (Active::everything(&[5], 1), Thin::default());
+        thin.weigh(&active, |_| ());
+        let mut chosen = Active::default();
+        thin.choose(&active, 0, &mut chosen);
+        assert_eq!(chosen, active);
+    }
 }

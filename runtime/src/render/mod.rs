@@ -307,6 +307,7 @@ impl<'a> Job<'a> {
                     live,
                     known: &Hint::OPEN,
                     rows: &job.everything,
+                    thin: self.options.settings.thin,
                 };
                 surface.survey(self.isa, beams, &request, &mut findings);
                 shard.statistics.evaluations.beams += findings.count;

@@ -59,6 +59,8 @@ pub struct Evaluations {
     pub shortened: u64,
     /// Rays whose only root a beam had separated: they are not searched.
     pub single: u64,
+    /// Rows of tables that packets of eight rays were bound to.
+    pub rows: u64,
     /// Enclosures over beams, each counted once per packet of eight.
     pub beams: u64,
     /// Evaluations of all other kinds, each counted once per packet of eight.
@@ -89,6 +91,7 @@ impl Evaluations {
         self.spared += other.spared;
         self.shortened += other.shortened;
         self.single += other.single;
+        self.rows += other.rows;
         self.beams += other.beams;
         self.packets += other.packets;
     }

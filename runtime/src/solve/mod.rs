@@ -35,6 +35,8 @@ pub struct Settings {
     pub closed_forms: bool,
     /// Trace beams of rays before rays.
     pub beams: bool,
+    /// Visit only those rows of tables that can matter in a beam.
+    pub thin: bool,
     /// Once a bracket with exactly one root is proved, converge in plain floats and certify the end; otherwise go on with
     /// enclosures.
     pub plain_convergence: bool,
@@ -81,6 +83,7 @@ impl Default for Settings {
             budget: 10_000,
             closed_forms: true,
             beams: true,
+            thin: true,
             plain_convergence: true,
             narrowing: Narrowing::default(),
         }

@@ -1,0 +1,120 @@
+//! Rows of tables that cannot matter in a beam are left out: no verdict changes, and fewer rows are visited.
+
+use glam::DVec3;
+use zeroset::camera::Camera;
+use zeroset::implicit;
+use zeroset::interval::Isa;
+use zeroset::render::{Options, render};
+use zeroset::scene::Scene;
+use zeroset::verdict::Verdict;
+
+implicit! {
+    struct Blobs { rows: [[f64; 4]] }
+    0.5 = sum([cx, cy, cz, s] in rows) { exp(-s*((x - cx)^2 + (y - cy)^2 + (z - cz)^2)) }
+}
+
+implicit! {
+    struct Balls { rows: [[f64; 4]] }
+    min([cx, cy, cz, s] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 - 1/s } = 0
+}
+
+implicit! {
+    struct Gem { rows: [[f64; 4]] }
+    max([a, b, c, s] in rows) { a*x + b*y + c*z - 0.3 - s/2000 } = 0
+}
+
+// Two tables, two sums over one of them, and a term that is not smooth.
+implicit! {
+    struct Mixed { rows: [[f64; 4]], dents: [[f64; 4]] }
+    let blobs = sum([cx, cy, cz, s] in rows) { exp(-s*((x - cx)^2 + (y - cy)^2 + (z - cz)^2)) };
+    let ripples = sum([cx, _cy, _cz, s] in rows) { abs(x - cx)/s^2 };
+    let dent = min([cx, cy, cz, _s] in dents) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 };
+    max(0.4 - blobs - ripples, 0.01 - dent) = 0
+}
+
+/// Rows of three coordinates in the cube and a number from 20 to 120, always the same.
+fn rows(count: usize) -> Vec<[f64; 4]> {
+    let mut state = 7u64;
+    let mut random = move || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut row = || {
+        let c: [f64; 3] = std::array::from_fn(|_| 1.6 * random() - 0.8);
+        [c[0], c[1], c[2], 20.0 + 100.0 * random()]
+    };
+    (0..count).map(|_| row()).collect()
+}
+
+fn scenes() -> Vec<(&'static str, Scene)> {
+    let within = |scene: Scene| scene.within([-1.0; 3], [1.0; 3]);
+    vec![
+        ("blobs", within(Scene::new().with(Blobs { rows: rows(48) }))),
+        ("balls", within(Scene::new().with(Balls { rows: rows(48) }))),
+        ("gem", within(Scene::new().with(Gem { rows: rows(48) }))),
+        (
+            "mixed",
+            within(Scene::new().with(Mixed {
+                rows: rows(40),
+                dents: rows(60),
+            })),
+        ),
+        (
+            "two",
+            within(
+                Scene::new()
+                    .with(Balls { rows: rows(20) })
+                    .with(Blobs { rows: rows(30) }),
+            ),
+        ),
+    ]
+}
+
+fn cameras() -> [Camera; 3] {
+    let (zero, up) = (DVec3::ZERO, DVec3::Y);
+    [
+        Camera::perspective(DVec3::new(1.0, 0.7, 2.5), zero, up, 40.0).unwrap(),
+        Camera::orthographic(DVec3::new(0.0, 0.0, 3.0), zero, up, 2.0).unwrap(),
+        Camera::perspective(DVec3::new(0.05, 0.0, 0.1), DVec3::X, up, 100.0).unwrap(),
+    ]
+}
+
+#[test]
+fn rows_left_out_change_no_verdict() {
+    for isa in Isa::available() {
+        for (name, scene) in scenes() {
+            let (mut hits, mut bound) = (0, [0, 0]);
+            for camera in cameras() {
+                let mut options = Options::new(75, 66);
+                options.isa = Some(isa);
+                let with = render(&scene, &camera, &options).unwrap();
+                options.settings.thin = false;
+                let without = render(&scene, &camera, &options).unwrap();
+                for (x, y) in (0..75).flat_map(|x| (0..66).map(move |y| (x, y))) {
+                    let (p, q) = (with.pixel(x, y), without.pixel(x, y));
+                    assert_eq!(p.surface, q.surface, "{name}, {isa}, ({x}, {y})");
+                    match (p.answer.first, q.answer.first) {
+                        (Verdict::Root { t: s }, Verdict::Root { t }) => {
+                            assert!(s.lo <= t.hi && t.lo <= s.hi, "{name}: {s:?}, {t:?}");
+                            assert!(s.hi - s.lo < 1e-11, "{name}: {s:?}");
+                            hits += 1;
+                        }
+                        (one, other) => assert_eq!(one, other, "{name}, {isa}, ({x}, {y})"),
+                    }
+                }
+                bound[0] += with.statistics().evaluations.rows;
+                bound[1] += without.statistics().evaluations.rows;
+            }
+            println!(
+                "{isa}, {name}: {hits} hits, {} rows bound of {}",
+                bound[0], bound[1]
+            );
+            assert!(
+                hits > 1_000 && 10 * bound[0] < 9 * bound[1],
+                "{name}: {hits}, {bound:?}"
+            );
+        }
+    }
+}
