@@ -1,6 +1,6 @@
 //! The trait that `implicit!` implements.
 
-use crate::interval::{Arithmetic, Flags, Interval, Jet, Leaves, Packet, Parameter, Rebind};
+use crate::interval::{Arithmetic, Flags, Interval, Jet, Leaves, Packet, Parameter, Rebind, Truth};
 use crate::ray::Rays;
 
 /// An implicit surface f = 0, compiled from a formula by [`implicit!`](crate::implicit).
@@ -166,6 +166,19 @@ pub struct Active {
     pub rough: Vec<usize>,
     /// For each sum that may leave out rows: what these add, wherever this list is used.
     pub rest: Vec<Rest>,
+    /// What is known of each choice between two sides.
+    pub choices: Vec<Choice>,
+}
+
+/// What is known of a comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// Nothing.
+    Open,
+    /// The first number is less.
+    First,
+    /// The second number is less.
+    Second,
 }
 
 /// What the rows of a sum add that are left out.
@@ -178,9 +191,9 @@ pub struct Rest {
 }
 
 impl Active {
-    /// All rows of folds of these lengths, for a formula with so many sums.
+    /// All rows of folds of these lengths, for a formula with so many sums and choices.
     #[must_use]
-    pub fn everything(lengths: &[usize], sums: usize) -> Self {
+    pub fn everything(lengths: &[usize], sums: usize, choices: usize) -> Self {
         let nothing = Interval { lo: 0.0, hi: 0.0 };
         let rest = Rest {
             all: nothing,
@@ -190,7 +203,16 @@ impl Active {
             rows: lengths.iter().map(|n| (0..*n as u32).collect()).collect(),
             rough: lengths.to_vec(),
             rest: vec![rest; sums],
+            choices: vec![Choice::Open; choices],
         }
+    }
+
+    /// Which sides of a choice may matter.
+    #[inline(always)]
+    #[must_use]
+    pub fn sides(&self, choice: usize) -> (bool, bool) {
+        let known = self.choices[choice];
+        (known != Choice::Second, known != Choice::First)
     }
 
     /// How many rows of a list a look visits.
@@ -212,9 +234,9 @@ impl Active {
         if rough { &rest.rough } else { &rest.all }
     }
 
-    /// Is there a choice between rows?
-    pub(crate) fn is_list(&self) -> bool {
-        self.rows.iter().any(|rows| rows.len() > 1)
+    /// Is there anything to choose?
+    pub(crate) fn is_open(&self) -> bool {
+        self.rows.iter().any(|rows| rows.len() > 1) || self.choices.contains(&Choice::Open)
     }
 }
 
@@ -224,6 +246,7 @@ impl Clone for Active {
             rows: self.rows.clone(),
             rough: self.rough.clone(),
             rest: self.rest.clone(),
+            choices: self.choices.clone(),
         }
     }
     /// Keeps the room.
@@ -231,6 +254,7 @@ impl Clone for Active {
         self.rows.clone_from(&from.rows);
         self.rough.clone_from(&from.rough);
         self.rest.clone_from(&from.rest);
+        self.choices.clone_from(&from.choices);
     }
 }
 
@@ -243,12 +267,14 @@ pub struct Row {
     pub at: usize,
 }
 
-/// Receives the terms of sums, and what minima and maxima choose from, row by row.
+/// Receives the terms of sums, and what minima and maxima choose from, row by row; and what choices compare.
 pub trait Terms<A: Arithmetic> {
     /// A term of the sum with this index in [`Active::rest`].
     fn term(&mut self, row: Row, sum: usize, term: A::Value, flags: Flags<A::Packet>);
     /// A number of a row, where the least of all rows' is taken: which of such minima, and the number.
     fn candidate(&mut self, row: Row, minimum: usize, number: A::Value, flags: Flags<A::Packet>);
+    /// Whether the first number of a choice is less than the second, and the second less than the first.
+    fn choice(&mut self, choice: usize, less: [Truth<A::Packet>; 2], flags: Flags<A::Packet>);
 }
 
 impl Report {

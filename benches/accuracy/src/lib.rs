@@ -30,7 +30,7 @@ macro_rules! named {
 }
 
 macro_rules! subjects {
-    ($($name:tt in $half:expr: $surface:expr;)*) => {
+    ($($name:tt in $half:tt: $surface:expr;)*) => {
         vec![$(subject!($name, $half, $surface)),*]
     };
 }

@@ -4,7 +4,6 @@ use std::hint::black_box;
 
 use cpu_time::ProcessTime;
 use zeroset::interval::Isa;
-use zeroset_accuracy::SIZE;
 use zeroset_accuracy::judge::Score;
 use zeroset_accuracy::methods::Method;
 use zeroset_accuracy::ours::{Solver, picture};
@@ -14,6 +13,8 @@ use zeroset_accuracy::truth::Known;
 
 /// Timed runs of each method.
 pub const RUNS: usize = 5;
+/// Columns and rows of the picture that this library is timed on: beams serve many rays.
+pub const TIMED: u32 = 512;
 /// Others than this library are timed on every so many packets of eight rays.
 const SHARE: usize = 5;
 /// What a tuning may get wrong, as a share of the rays that are judged.
@@ -200,8 +201,8 @@ fn timed(subject: &dyn Subject, works: &[Work], best: Isa) -> Vec<f64> {
                 Work::Ours(solver, isa) => {
                     let scene = scenes.iter().find(|(s, _)| *s == solver);
                     let (_, scene) = scene.expect("a scene for each solver");
-                    black_box(pool.install(|| picture(scene, &camera, isa)));
-                    f64::from(SIZE * SIZE)
+                    black_box(pool.install(|| picture(scene, &camera, isa, TIMED)));
+                    f64::from(TIMED * TIMED)
                 }
                 Work::Theirs(method, tolerance) => {
                     black_box(subject.trace(best, &packets, method, tolerance));

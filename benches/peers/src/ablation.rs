@@ -14,7 +14,7 @@ type Change = (&'static str, fn(&mut Options));
 const CHANGES: [Change; 7] = [
     ("all on", |_| ()),
     ("no beams", |o| o.settings.beams = false),
-    ("all rows of tables", |o| o.settings.thin = false),
+    ("all rows and sides", |o| o.settings.thin = false),
     ("no closed forms", |o| o.settings.closed_forms = false),
     ("no plain convergence", |o| {
         o.settings.plain_convergence = false
@@ -31,9 +31,9 @@ const CHANGES: [Change; 7] = [
 pub fn run(shapes: &[Shape], arguments: &Arguments) {
     println!("\n### What each skip saves, {SIZE}², one thread; counts per ray of the picture\n");
     println!(
-        "| shape | | ms | by all on | rays made | rows bound | beams | value | slope | curvature | point | float | fine | gradient | closed | single | root / miss / other |"
+        "| shape | | ms | by all on | rays made | rows bound | choices decided | beams | value | slope | curvature | point | float | fine | gradient | closed | single | root / miss / other |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     let pool = pool(1);
     let view = View {
         size: SIZE,
@@ -70,6 +70,7 @@ fn counts(s: &Statistics) -> String {
     let kinds = [
         s.made,
         e.rows,
+        e.decided,
         e.beams,
         e.value,
         e.slope,

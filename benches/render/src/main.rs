@@ -37,6 +37,42 @@ implicit! {
 
 implicit! {
     #[derive(Clone)]
+    struct Part;
+    let p0 = max((x + 0.6)^2 + (y + 0.6)^2 - 0.0049, max(z - 0.35, -z));
+    let p1 = max(max(abs(x + 0.6) - 0.09, abs(y + 0.2) - 0.09), max(z - 0.4, -z));
+    let p2 = (x + 0.6)^2 + (y - 0.2)^2 + (z - 0.125)^2 - 0.0100;
+    let p3 = max((x + 0.6)^2 + (y - 0.6)^2 - 0.0064, max(z - 0.5, -z));
+    let p4 = max(max(abs(x + 0.2) - 0.07, abs(y + 0.6) - 0.07), max(z - 0.35, -z));
+    let p5 = (x + 0.2)^2 + (y + 0.2)^2 + (z - 0.200)^2 - 0.0169;
+    let p6 = max((x + 0.2)^2 + (y - 0.2)^2 - 0.0036, max(z - 0.25, -z));
+    let p7 = max(max(abs(x + 0.2) - 0.08, abs(y - 0.6) - 0.08), max(z - 0.5, -z));
+    let p8 = (x - 0.2)^2 + (y + 0.6)^2 + (z - 0.175)^2 - 0.0121;
+    let p9 = max((x - 0.2)^2 + (y + 0.2)^2 - 0.0081, max(z - 0.4, -z));
+    let p10 = max(max(abs(x - 0.2) - 0.06, abs(y - 0.2) - 0.06), max(z - 0.25, -z));
+    let p11 = (x - 0.2)^2 + (y - 0.6)^2 + (z - 0.250)^2 - 0.0144;
+    let p12 = max((x - 0.6)^2 + (y + 0.6)^2 - 0.0049, max(z - 0.35, -z));
+    let p13 = max(max(abs(x - 0.6) - 0.09, abs(y + 0.2) - 0.09), max(z - 0.4, -z));
+    let p14 = (x - 0.6)^2 + (y - 0.2)^2 + (z - 0.125)^2 - 0.0100;
+    let p15 = max((x - 0.6)^2 + (y - 0.6)^2 - 0.0064, max(z - 0.5, -z));
+    let pegs = min(min(min(min(p0, p1), min(p2, p3)), min(min(p4, p5), min(p6, p7))), min(min(min(p8, p9), min(p10, p11)), min(min(p12, p13), min(p14, p15))));
+    let h0 = (x + 0.4)^2 + (y + 0.4)^2 - 0.0064;
+    let h1 = (x + 0.4)^2 + y^2 - 0.0064;
+    let h2 = (x + 0.4)^2 + (y - 0.4)^2 - 0.0064;
+    let h3 = x^2 + (y + 0.4)^2 - 0.0064;
+    let h4 = x^2 + y^2 - 0.0064;
+    let h5 = x^2 + (y - 0.4)^2 - 0.0064;
+    let h6 = (x - 0.4)^2 + (y + 0.4)^2 - 0.0064;
+    let h7 = (x - 0.4)^2 + y^2 - 0.0064;
+    let h8 = (x - 0.4)^2 + (y - 0.4)^2 - 0.0064;
+    let holes = min(min(min(min(h0, h1), min(h2, h3)), min(min(h4, h5), min(h6, h7))), h8);
+    let plate = max(max(abs(x), abs(y)) - 0.85, abs(z) - 0.1);
+    let dome = x^2 + y^2 + (z + 0.2)^2 - 0.16;
+    let body = (plate + dome - sqrt((plate - dome)^2 + 0.01))/2;
+    max(min(body, pegs), -holes) = 0
+}
+
+implicit! {
+    #[derive(Clone)]
     struct Barth;
     let phi = (1 + sqrt(5)) / 2;
     let p = 1.9*x;
@@ -53,6 +89,8 @@ const RUNS: usize = 9;
 fn main() {
     let camera = Camera::orthographic(DVec3::new(0.0, 0.0, 3.0), DVec3::ZERO, DVec3::Y, 2.0)
         .expect("a camera along the z axis");
+    let oblique = Camera::orthographic(DVec3::new(1.5, -2.0, 2.0), DVec3::ZERO, DVec3::Z, 2.4)
+        .expect("a camera beside the z axis");
     println!(
         "ns of CPU time per ray, {SIZE}² rays, one thread, median of {RUNS} interleaved runs (least … most)"
     );
@@ -64,6 +102,7 @@ fn main() {
     measure(&only, "8 exponentials", &exponentials(8), &camera);
     measure(&only, "64 exponentials", &exponentials(64), &camera);
     measure(&only, "64 balls", &balls(64), &camera);
+    measure(&only, "machine part", &Part, &oblique);
 }
 
 /// Numbers in [0, 1), always the same.

@@ -3,8 +3,8 @@
 //! A row is left out where its terms are lost beside the others', or where another row's number is certainly less than its
 //! own. What the rows that are left out add is enclosed, and added wherever the list is used.
 
-use crate::interval::{Arithmetic, Flags, Interval, Packet, Scalar};
-use crate::surface::{Active, Rest, Row, Terms};
+use crate::interval::{Arithmetic, Flags, Interval, Packet, Scalar, Truth};
+use crate::surface::{Active, Choice, Rest, Row, Terms};
 
 /// Terms that together are less than this part of the greatest at the front are not visited, and in rough looks those
 /// below that part.
@@ -17,6 +17,7 @@ pub(crate) struct Thin {
     measuring: bool,
     terms: Vec<Term>,
     candidates: Vec<Candidate>,
+    choices: Vec<Decided>,
     /// For each sum, the greatest magnitude of a term in each beam, at the front.
     greatest: Vec<[f64; 8]>,
     /// For each minimum, an upper bound of it in each beam.
@@ -40,6 +41,12 @@ struct Candidate {
     lo: [f64; 8],
     /// Beams in which it is certainly defined.
     sure: u8,
+}
+
+/// A choice, and the beams in which either number is certainly less.
+struct Decided {
+    choice: usize,
+    sides: [(u8, Choice); 2],
 }
 
 impl Term {
@@ -80,6 +87,18 @@ impl<P: Packet + Arithmetic<Packet = P, Value = Interval<P::F>>> Terms<P> for (P
         };
         self.1.add_candidate(candidate, p.to_array(number.hi));
     }
+
+    /// A side that is left out must be defined, for a minimum is undefined where either number is.
+    #[inline(always)]
+    fn choice(&mut self, choice: usize, [first, second]: [Truth<P>; 2], flags: Flags<P>) {
+        let p = self.0;
+        let sure = !p.bits(p.or(flags.undefined, flags.empty));
+        if !self.1.measuring {
+            let (first, second) = (p.bits(first.yes) & sure, p.bits(second.yes) & sure);
+            let sides = [(first, Choice::First), (second, Choice::Second)];
+            self.1.choices.push(Decided { choice, sides });
+        }
+    }
 }
 
 /// The entry of `values` with this index, which is made if it is not there.
@@ -119,6 +138,7 @@ impl Thin {
     pub fn weigh(&mut self, active: &Active, tell: impl FnOnce(&mut Self)) {
         self.terms.clear();
         self.candidates.clear();
+        self.choices.clear();
         self.least.clear();
         tell(self);
         self.weigh_rows(active);
@@ -150,6 +170,10 @@ impl Thin {
             cuts.push([lost, rough]);
         }
         self.add_rests(lane, &cuts, &mut to.rest);
+        for Decided { choice, sides } in &self.choices {
+            let known = sides.iter().find(|(beams, _)| beams >> lane & 1 != 0);
+            to.choices[*choice] = known.map_or(Choice::Open, |side| side.1);
+        }
     }
 
     /// What the rows behind the cuts add.
@@ -258,7 +282,7 @@ mod tests {
         let terms: Vec<Term> = (0..rows)
             .flat_map(|at| [term(at, 0), term(at, 1)])
             .collect();
-        let active = Active::everything(&[rows], 2);
+        let active = Active::everything(&[rows], 2, 0);
         thin.measure(|thin| terms.iter().for_each(|term| thin.add_measure(term)));
         thin.weigh(&active, |thin| thin.terms.extend(terms));
         (active, thin)
@@ -312,7 +336,7 @@ mod tests {
 
     #[test]
     fn a_minimum_keeps_what_may_be_least() {
-        let active = Active::everything(&[4], 0);
+        let active = Active::everything(&[4], 0, 0);
         let numbers = [[0.0, 1.0], [0.5, 3.0], [1.5, 2.0], [2.0, 2.5]];
         let mut thin = Thin::default();
         thin.weigh(&active, |thin| {
@@ -338,7 +362,7 @@ mod tests {
 
     #[test]
     fn what_nothing_was_told_about_stays() {
-        let (active, mut thin) = (Active::everything(&[5], 1), Thin::default());
+        let (active, mut thin) = (Active::everything(&[5], 1, 0), Thin::default());
         thin.weigh(&active, |_| ());
         let mut chosen = Active::default();
         thin.choose(&active, 0, &mut chosen);

@@ -2,6 +2,7 @@
 //! and is counted.
 
 use crate::interval::{At, Ball, Flags, Interval, Jet, Packet, Scalar};
+use crate::surface::{Active, Choice};
 
 /// A surface along the rays of one packet. An object, so that a solver is compiled once per instruction set, and not
 /// again for each surface: the call costs nothing beside an evaluation.
@@ -61,6 +62,8 @@ pub struct Evaluations {
     pub single: u64,
     /// Rows of tables that packets of eight rays were bound to.
     pub rows: u64,
+    /// Choices between two sides that were decided for packets of eight rays.
+    pub decided: u64,
     /// Enclosures over beams, each counted once per packet of eight.
     pub beams: u64,
     /// Evaluations of all other kinds, each counted once per packet of eight.
@@ -79,6 +82,18 @@ impl Evaluations {
             + self.gradient
     }
 
+    /// Counts what a packet is bound with.
+    #[inline]
+    pub(crate) fn note(&mut self, active: &Active) {
+        self.rows += active
+            .rows
+            .iter()
+            .map(|rows| rows.len() as u64)
+            .sum::<u64>();
+        let decided = active.choices.iter().filter(|c| **c != Choice::Open);
+        self.decided += decided.count() as u64;
+    }
+
     pub(crate) fn add(&mut self, other: &Evaluations) {
         self.value += other.value;
         self.slope += other.slope;
@@ -92,6 +107,7 @@ impl Evaluations {
         self.shortened += other.shortened;
         self.single += other.single;
         self.rows += other.rows;
+        self.decided += other.decided;
         self.beams += other.beams;
         self.packets += other.packets;
     }

@@ -35,7 +35,7 @@ pub struct Settings {
     pub closed_forms: bool,
     /// Trace beams of rays before rays.
     pub beams: bool,
-    /// Visit only those rows of tables that can matter in a beam.
+    /// Visit only those rows of tables, and compute only those sides of choices, that can matter in a beam.
     pub thin: bool,
     /// Once a bracket with exactly one root is proved, converge in plain floats and certify the end; otherwise go on with
     /// enclosures.

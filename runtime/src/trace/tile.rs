@@ -199,8 +199,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         over.hi = p.select(live, over.hi, p.splat(0.0));
         let end = p.select(live, over.hi, p.splat(-1.0));
         let rays = Rays::recentred(p, &packet.lines, entry, end);
-        let lists = active.rows.iter();
-        self.tile.counts.rows += lists.map(|rows| rows.len() as u64).sum::<u64>();
+        self.tile.counts.note(active);
         p.call(Bind::<S, P> {
             prepared: self.prepared,
             rays: &rays,

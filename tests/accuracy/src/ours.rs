@@ -4,7 +4,6 @@ use zeroset::interval::Isa;
 use zeroset::verdict::Verdict;
 use zeroset::{Camera, Options, Rendering, Scene, render};
 
-use crate::SIZE;
 use crate::judge::{Claim, Claimed};
 
 /// Which contractor.
@@ -44,9 +43,9 @@ impl Solver {
     }
 }
 
-/// A picture without normals.
-pub fn picture(scene: &Scene, camera: &Camera, isa: Isa) -> Rendering {
-    let mut options = Options::new(SIZE, SIZE);
+/// A picture of so many columns and rows, without normals.
+pub fn picture(scene: &Scene, camera: &Camera, isa: Isa, size: u32) -> Rendering {
+    let mut options = Options::new(size, size);
     options.isa = Some(isa);
     options.normals = false;
     render(scene, camera, &options).expect("a valid scene")

@@ -49,7 +49,8 @@ impl<'a> Trial<'a> {
 
     /// The score of this library, and evaluations per ray of the picture.
     pub fn ours(&self, solver: Solver, isa: Isa) -> (Score, f64) {
-        let picture = picture(&self.subject.scene(solver), &self.subject.camera(), isa);
+        let scene = self.subject.scene(solver);
+        let picture = picture(&scene, &self.subject.camera(), isa, SIZE);
         let mut score = Score::default();
         for (([x, y], known), (eight, lane)) in pixels().zip(self.known).zip(&self.judged) {
             score.add(known, &claim(&picture, x, y), eight.unit[*lane], 0.0);

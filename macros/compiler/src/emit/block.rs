@@ -4,9 +4,10 @@
 //! its scope. Inside a block (a function, or a loop's body) the nodes of that scope come in the order of their ids, which
 //! is topological; folds over the same rows that wait for the same things share one loop.
 
+use super::choices::{Side, side};
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::tree::FoldKind;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, HashMap};
 
@@ -35,6 +36,14 @@ pub trait Target {
         fold: (FoldKind, usize),
         arguments: &[Self::Value],
     ) -> (TokenStream, TokenStream, Self::Value);
+    /// The side of a choice that guards a node: it is computed only where this is alive.
+    fn guard(&self, _id: Id) -> Option<Side> {
+        None
+    }
+    /// The variables that a node's code declares, each with what stands for it where it is not computed.
+    fn declared(&self, _id: Id, _value: &Self::Value) -> Vec<(Ident, TokenStream)> {
+        Vec::new()
+    }
     /// Work after the loop on an accumulator.
     fn finish(&mut self, id: Id, value: Self::Value, out: &mut TokenStream) -> Self::Value;
 }
@@ -68,6 +77,34 @@ struct Block<'a, T: Target> {
     known: &'a mut HashMap<Id, T::Value>,
 }
 
+/// Code in a row that is guarded by one side.
+#[derive(Default)]
+struct Guarded {
+    side: Option<Side>,
+    code: TokenStream,
+    declared: Vec<(Ident, TokenStream)>,
+}
+
+impl Guarded {
+    /// Goes on with code on this side.
+    fn open(&mut self, side: Side, out: &mut TokenStream) {
+        if self.side != Some(side) {
+            self.close(out);
+            self.side = Some(side);
+        }
+    }
+
+    fn close(&mut self, out: &mut TokenStream) {
+        if let Some(of) = self.side.take() {
+            let (of, code) = (side(of), std::mem::take(&mut self.code));
+            let (names, nothing): (Vec<_>, Vec<_>) = self.declared.drain(..).unzip();
+            out.extend(quote! {
+                let (#(#names,)*) = if #of { #code (#(#names,)*) } else { (#(#nothing,)*) };
+            });
+        }
+    }
+}
+
 /// The folds that one loop computes: the same fold, after the same loops of this block.
 type Loops = BTreeMap<(u32, usize), Vec<Id>>;
 
@@ -78,12 +115,26 @@ impl<T: Target> Block<'_, T> {
         let last = phases.values().copied().max().unwrap_or(0);
         for phase in 0..=last {
             let mut loops = Loops::new();
+            let mut guarded = Guarded::default();
             for &id in here.iter().filter(|id| phases.get(id) == Some(&phase)) {
                 match self.graph.op(id) {
                     Op::Fold(_, fold, _) => loops.entry((phase, *fold)).or_default().push(id),
-                    _ => self.operation(id, out),
+                    _ => match self.guard(id) {
+                        None => {
+                            guarded.close(out);
+                            self.operation(id, out);
+                        }
+                        Some(side) => {
+                            guarded.open(side, out);
+                            self.operation(id, &mut guarded.code);
+                            if let Some(value) = self.known.get(&id) {
+                                guarded.declared.extend(self.target.declared(id, value));
+                            }
+                        }
+                    },
                 }
             }
+            guarded.close(out);
             for ((_, fold), ids) in loops {
                 self.emit_loop(fold, &ids, out);
             }
@@ -100,7 +151,9 @@ impl<T: Target> Block<'_, T> {
                 continue;
             }
             if self.graph.info(id).scope.within(self.scope) {
-                if let Some(value) = self.target.given(id, out) {
+                if self.guard(id).is_none()
+                    && let Some(value) = self.target.given(id, out)
+                {
                     self.known.insert(id, value);
                     continue;
                 }
@@ -143,9 +196,18 @@ impl<T: Target> Block<'_, T> {
         phase
     }
 
+    /// Loops compute all of their bodies.
+    fn guard(&self, id: Id) -> Option<Side> {
+        self.target
+            .guard(id)
+            .filter(|_| self.scope == Scope::default())
+    }
+
     fn operation(&mut self, id: Id, out: &mut TokenStream) {
         let known = &*self.known;
-        let value = self.target.operation(id, &|a| known.get(&a).cloned(), out);
+        let given = self.target.given(id, out);
+        let value =
+            given.unwrap_or_else(|| self.target.operation(id, &|a| known.get(&a).cloned(), out));
         self.known.insert(id, value);
     }
 

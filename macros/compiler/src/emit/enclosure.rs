@@ -1,6 +1,7 @@
 //! Code in the runtime's `Arithmetic`: interval packets, scalars, plain float vectors.
 
 use super::block::Target;
+use super::choices::{Side, branches, side};
 use super::layout::Layout;
 use super::text::{count, flags, index, interval, number, variable};
 use crate::form::Form;
@@ -98,7 +99,15 @@ impl Target for Enclosure<'_> {
         let op = self.graph.op(id).clone();
         let name = variable(id);
         let own = flags(id);
-        let expression = self.expression(&op, values);
+        let mut expression = self.expression(&op, values);
+        let made = self.made(id);
+        if let (Some((yes, no)), Some([first, second])) = (&made, branches(&op)) {
+            let (open, v) = (expression.code, |id: Id| values(id).map(|v| v.name));
+            let (first, second) = (v(first), v(second));
+            expression.code = quote! {
+                if #yes & #no { #open } else if #yes { #first } else { #second }
+            };
+        }
         let (pattern, flagged) = if expression.flagged {
             (quote!((#name, #own)), true)
         } else {
@@ -111,6 +120,31 @@ impl Target for Enclosure<'_> {
         }
         let flags = self.flags_of(id, &op, flagged, values, out);
         Value { name, flags }
+    }
+
+    fn guard(&self, id: Id) -> Option<Side> {
+        match self.stage {
+            Stage::Segment => self.layout.choices.guard(id),
+            Stage::Surface | Stage::Space => None,
+        }
+    }
+
+    fn declared(&self, id: Id, value: &Value) -> Vec<(Ident, TokenStream)> {
+        let zero = interval(&crate::exact::Rational::from(0));
+        let zero = quote!(a.constant(&#zero));
+        let nothing = match self.graph.op(id) {
+            Op::Less(..) | Op::LessOrEqual(..) | Op::Both(..) | Op::Either(..) => {
+                quote!(a.less(#zero, #zero))
+            }
+            _ => zero,
+        };
+        // Flags may be those of an operand, which were declared with it.
+        let own = flags(id);
+        let flags = value.flags.clone().filter(|f| *f == own);
+        let flags = flags.map(|f| (f, quote!(a.clear())));
+        std::iter::once((value.name.clone(), nothing))
+            .chain(flags)
+            .collect()
     }
 
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
@@ -171,6 +205,12 @@ impl Enclosure<'_> {
     /// Was the node computed by the surface stage?
     fn is_prepared(&self, id: Id) -> bool {
         self.stage != Stage::Surface && self.layout.form.ready(self.graph, id)
+    }
+
+    /// The sides of the choice that a node makes, if sides are told apart here.
+    fn made(&self, id: Id) -> Option<(Ident, Ident)> {
+        let choice = self.layout.choices.made(self.graph, id)?;
+        (self.stage == Stage::Segment).then(|| (side(2 * choice), side(2 * choice + 1)))
     }
 
     /// A reference to a stored value. In the naive form each use loads it again, lest rustc shares what the form does not.
@@ -261,12 +301,16 @@ impl Enclosure<'_> {
                 Undecided::Kink => quote!(Kink),
                 Undecided::Jump => quote!(Jump),
             };
-            out.extend(
-                quote!(let #result = a.branch(#condition, #yes, #no, __zeroset::Undecided::#undecided);),
-            );
+            let mut open =
+                quote!(a.branch(#condition, #yes, #no, __zeroset::Undecided::#undecided));
             if let Some(f) = of(*c) {
-                out.extend(quote!(let #result = a.join(#result, #f);));
+                open = quote!(a.join(#open, #f));
             }
+            if let Some((first, second)) = self.made(id) {
+                // What was not computed has no flags.
+                open = quote!(if #first & #second { #open } else { a.join(#yes, #no) });
+            }
+            out.extend(quote!(let #result = #open;));
             return Some(result);
         }
         let mut all: Vec<Ident> = Vec::new();

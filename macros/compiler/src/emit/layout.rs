@@ -4,6 +4,7 @@
 //! quadratic leaves, what is active, rows of scope 0, …, polynomials of higher degree). A scope is a set of nested loops; its rows are a `Vec` of arrays
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
+use super::choices::{Choices, side};
 use super::terms::Terms;
 use crate::form::Form;
 use crate::graph::{Graph, Id, Op, Scope, operands};
@@ -36,6 +37,8 @@ pub struct Layout {
     pub outermost: Vec<usize>,
     /// The folds among them that may leave out rows.
     pub terms: Terms,
+    /// The choices whose sides need not all be computed.
+    pub choices: Choices,
     values: HashMap<Id, (Scope, usize)>,
     leaves: Vec<(Scope, bool, usize)>,
     /// The degrees of the polynomials, all in the scope without loops.
@@ -56,6 +59,7 @@ impl Layout {
             rows: Vec::new(),
             outermost,
             terms,
+            choices: Choices::new(graph, staged, |id| form.ready(graph, id)),
             values: HashMap::new(),
             leaves: Vec::new(),
             polynomials: polynomials.iter().map(|p| p.1).collect(),
@@ -214,9 +218,21 @@ impl Layout {
         quote!(#place.len())
     }
 
+    /// Code that is run where a leaf's guard is alive.
+    pub fn guarded(&self, staged: &Staged, leaf: usize, code: TokenStream) -> TokenStream {
+        let node = staged.leaves.get(leaf).map(|leaf| leaf.node);
+        match node.and_then(|node| self.choices.shape(node)) {
+            Some(of) => {
+                let of = side(of);
+                quote!(if #of { #code })
+            }
+            None => code,
+        }
+    }
+
     /// Notes what is active, if there is a choice.
     pub fn copy_active(&self, bound: &TokenStream) -> TokenStream {
-        if self.outermost.is_empty() {
+        if self.outermost.is_empty() && self.choices.is_empty() {
             return TokenStream::new();
         }
         quote!(#bound.2.clone_from(active);)

@@ -1,6 +1,7 @@
 //! From the staged graph to Rust tokens.
 
 mod block;
+mod choices;
 mod enclosure;
 mod item;
 mod layout;

@@ -1,6 +1,7 @@
 //! The ray stage: coefficients of linear and quadratic subexpressions in t, by propagation through the graph as written.
 
 use super::block::Target;
+use super::choices::Side;
 use super::enclosure::enter_rows;
 use super::layout::Layout;
 use super::text::{interval, variable};
@@ -95,6 +96,16 @@ impl Target for Polynomial<'_> {
             _ => vec![],
         };
         self.define(id, &code, out)
+    }
+
+    fn guard(&self, id: Id) -> Option<Side> {
+        self.layout.choices.shape(id)
+    }
+
+    fn declared(&self, _: Id, value: &Coefficients) -> Vec<(Ident, TokenStream)> {
+        let zero = interval(&crate::exact::Rational::from(0));
+        let all = value.iter().cloned();
+        all.map(|name| (name, quote!(a.constant(&#zero)))).collect()
     }
 
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {

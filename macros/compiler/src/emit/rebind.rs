@@ -1,13 +1,25 @@
 //! From leaves to leaves: each leaf of the active rows, in the shape of the storage.
 
 use super::stages::Compiled;
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `rebind`.
 pub fn rebind(compiled: &Compiled) -> TokenStream {
     let layout = compiled.layout;
     let active = layout.copy_active(&quote!(to));
+    let sides = layout.choices.declare(&quote!(active));
+    let leaves = |part: u8, kind: &str, leaves: &[usize]| -> Vec<TokenStream> {
+        let (part, kind) = (Literal::u8_unsuffixed(part), format_ident!("{kind}"));
+        let all = leaves.iter().enumerate().map(|(place, leaf)| {
+            let place = Literal::usize_unsuffixed(place);
+            let code = quote!(to.#part[#place] = map.#kind(&from.#part[#place]););
+            layout.guarded(compiled.staged, *leaf, code)
+        });
+        all.collect()
+    };
+    let mut top = leaves(0, "linear", &layout.top.linear);
+    top.extend(leaves(1, "quadratic", &layout.top.quadratic));
     let rows = (0..layout.rows.len()).map(|k| rows(compiled, k));
     quote! {
         #[inline(always)]
@@ -17,7 +29,8 @@ pub fn rebind(compiled: &Compiled) -> TokenStream {
             active: &__zeroset::Active,
             to: &mut Self::Bound<R::To>,
         ) -> __zeroset::primitive::bool {
-            __zeroset::rebind_leaves(map, (&from.0, &from.1), (&mut to.0, &mut to.1));
+            #sides
+            #(#top)*
             #active
             #(#rows)*
             true

@@ -117,9 +117,10 @@ impl Compiled<'_> {
             .iter()
             .map(|f| self.layout.length(self.graph, *f));
         let rests = Literal::usize_unsuffixed(self.layout.terms.rests());
+        let choices = Literal::usize_unsuffixed(self.layout.choices.count());
         quote! {
             fn everything(prepared: &Self::Prepared) -> __zeroset::Active {
-                __zeroset::Active::everything(&[#(#lengths),*], #rests)
+                __zeroset::Active::everything(&[#(#lengths),*], #rests, #choices)
             }
         }
     }
@@ -135,6 +136,7 @@ impl Compiled<'_> {
             .iter()
             .map(|_| quote!(__zeroset::Vec::new()));
         let active = self.layout.copy_active(&quote!(bound));
+        let sides = self.layout.choices.declare(&quote!(active));
         let mut before = TokenStream::new();
         let shared = self.bind_shared(&mut before);
         let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k, &shared));
@@ -162,6 +164,7 @@ impl Compiled<'_> {
                 bound: &mut Self::Bound<P>,
             ) {
                 #active
+                #sides
                 #top
                 #before
                 #(#rows)*
@@ -229,12 +232,35 @@ impl Compiled<'_> {
         if linear.is_empty() && quadratic.is_empty() {
             return TokenStream::new();
         }
-        let (i, j) = (indices(linear.len()), indices(quadratic.len()));
-        quote! {
-            #body
-            #(bound.0[#i] = #linear;)*
-            #(bound.1[#j] = #quadratic;)*
-        }
+        let linear = self.where_alive(
+            &store.linear,
+            &linear,
+            |i, code| quote!(bound.0[#i] = #code;),
+        );
+        let quadratic = self.where_alive(
+            &store.quadratic,
+            &quadratic,
+            |j, code| quote!(bound.1[#j] = #code;),
+        );
+        quote!(#body #linear #quadratic)
+    }
+
+    /// Writes leaves of the scope without loops, each where its guard is alive.
+    fn where_alive(
+        &self,
+        leaves: &[usize],
+        codes: &[TokenStream],
+        write: impl Fn(Literal, &TokenStream) -> TokenStream,
+    ) -> TokenStream {
+        let all = leaves
+            .iter()
+            .zip(codes)
+            .enumerate()
+            .map(|(place, (leaf, code))| {
+                let code = write(Literal::usize_unsuffixed(place), code);
+                self.layout.guarded(self.staged, *leaf, code)
+            });
+        all.collect()
     }
 
     fn bind_rows(&self, k: usize, shared: &HashMap<Id, Coefficients>) -> TokenStream {
@@ -338,6 +364,7 @@ impl Compiled<'_> {
         let mut target = self.enclosure(Stage::Segment);
         let (body, jet) = self.jet(&mut target, &targets, 1, HashMap::new());
         let over = self.over(n);
+        let sides = self.layout.choices.declare(&quote!(bound.2));
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
         quote! {
             #[inline(always)]
@@ -347,6 +374,7 @@ impl Compiled<'_> {
                 bound: &Self::Bound<T::Leaves>,
                 t: T,
             ) -> __zeroset::Jet<A::Value, A::Packet, #n> {
+                #sides
                 #over
                 #body
                 #jet
@@ -363,6 +391,7 @@ impl Compiled<'_> {
         if body.is_empty() {
             return body;
         }
+        let sides = self.layout.choices.declare(&quote!(bound.2));
         quote! {
             #[inline(always)]
             fn terms<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
@@ -372,6 +401,7 @@ impl Compiled<'_> {
                 t: T,
                 to: &mut impl __zeroset::Terms<A>,
             ) {
+                #sides
                 #body
             }
         }
@@ -457,10 +487,6 @@ impl Compiled<'_> {
             }
         }
     }
-}
-
-fn indices(n: usize) -> impl Iterator<Item = Literal> {
-    (0..n).map(Literal::usize_unsuffixed)
 }
 
 /// Notes whether any of these values of the surface stage may be undefined.

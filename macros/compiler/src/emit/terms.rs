@@ -2,11 +2,12 @@
 //! that were left out add.
 
 use super::block::block;
+use super::choices::side;
 use super::enclosure::{Enclosure, Value};
 use crate::graph::{Graph, Id, Op, Scope};
 use crate::stage::Staged;
 use crate::tree::FoldKind;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
 
@@ -86,13 +87,37 @@ impl Terms {
         place.map(Literal::usize_unsuffixed)
     }
 
-    /// The body of the function `terms`: a loop for each of the folds.
+    /// The body of the function `terms`: a loop for each of the folds, and the choices that are open.
     pub fn body(&self, graph: &Graph, target: &mut Enclosure) -> TokenStream {
-        let loops = self
-            .lists
-            .iter()
-            .map(|&fold| self.rows(graph, target, fold));
-        quote!(#(#loops)*)
+        let loops = self.lists.iter();
+        let mut body: TokenStream = loops.map(|&fold| self.rows(graph, target, fold)).collect();
+        let mut known = HashMap::new();
+        for (choice, (first, second)) in target.layout.choices.all() {
+            let scope = Scope::default();
+            let numbers = block(
+                graph,
+                target,
+                scope,
+                &[first, second],
+                &mut known,
+                &mut body,
+            );
+            let [first, second] = numbers.as_slice() else {
+                continue;
+            };
+            let flags = [first, second].map(|v| told(v.flags.as_ref()));
+            let (first, second) = (&first.name, &second.name);
+            let [f, g] = flags;
+            let (yes, no) = (side(2 * choice), side(2 * choice + 1));
+            let choice = Literal::usize_unsuffixed(choice);
+            body.extend(quote! {
+                if #yes & #no {
+                    let less = [a.less(#first, #second), a.less(#second, #first)];
+                    to.choice(#choice, less, a.join(#f, #g));
+                }
+            });
+        }
+        body
     }
 
     fn rows(&self, graph: &Graph, target: &mut Enclosure, fold: usize) -> TokenStream {
@@ -106,7 +131,7 @@ impl Terms {
                 continue;
             };
             let place = Literal::usize_unsuffixed(place);
-            let flags = flags.map_or_else(|| quote!(a.clear()), |f| quote!(#f));
+            let flags = told(flags.as_ref());
             tell.extend(quote!(to.term(row, #place, #name, #flags);));
         }
         for (place, extreme) in self
@@ -124,12 +149,17 @@ impl Terms {
             } else {
                 quote!(#name)
             };
-            let flags = flags.map_or_else(|| quote!(a.clear()), |f| quote!(#f));
+            let flags = told(flags.as_ref());
             tell.extend(quote!(to.candidate(row, #place, #number, #flags);));
         }
         let (at, list) = (format_ident!("j{fold}"), target.layout.active(fold));
         quote! { #header { #start #body let row = __zeroset::ActiveRow { list: #list, at: #at }; #tell } }
     }
+}
+
+/// The flags that the runtime is told.
+fn told(flags: Option<&Ident>) -> TokenStream {
+    flags.map_or_else(|| quote!(a.clear()), |f| quote!(#f))
 }
 
 fn over(graph: &Graph, id: Id, fold: usize) -> bool {
