@@ -48,6 +48,16 @@ implicit! {
     max(min(body, posts), -holes) = 0
 }
 
+// A polynomial that is kept by its coefficients, cut off.
+implicit! {
+    struct Cut;
+    let p = 2*x;
+    let q = 2*y;
+    let r = 2*z;
+    let g = 4*(2.618*p^2 - q^2)*(2.618*q^2 - r^2)*(2.618*r^2 - p^2) - 4.236*(p^2 + q^2 + r^2 - 1)^2;
+    max(-g, max(x^2 + y^2 + z^2 - 0.81, -x - y - 0.9)) = 0
+}
+
 implicit! {
     struct Step;
     let low = x^2 + y^2 + 4*z^2 - 0.5;
@@ -84,6 +94,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("balls", within(Scene::new().with(Balls { rows: rows(48) }))),
         ("gem", within(Scene::new().with(Gem { rows: rows(48) }))),
         ("part", within(Scene::new().with(Part))),
+        ("cut", within(Scene::new().with(Cut))),
         ("step", within(Scene::new().with(Step))),
         ("partial", within(Scene::new().with(Partial))),
         (

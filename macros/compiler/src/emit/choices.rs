@@ -41,6 +41,13 @@ fn pair(graph: &Graph, id: Id) -> Option<(Id, Id)> {
     }
 }
 
+/// Are both numbers evaluated as they are written? Polynomials that are kept by their coefficients are not there over beams.
+fn is_written(graph: &Graph, (a, b): (Id, Id)) -> bool {
+    let all = graph.reachable(&[a, b], |_| false);
+    !all.iter()
+        .any(|id| matches!(graph.op(*id), Op::Polynomial(..)))
+}
+
 /// The branches of an operation that chooses.
 pub fn branches(op: &Op) -> Option<[Id; 2]> {
     match op {
@@ -63,6 +70,7 @@ impl Choices {
             if let Some(pair) = pair(graph, id)
                 && graph.info(id).scope == Scope::default()
                 && !choices.pairs.contains(&pair)
+                && is_written(graph, pair)
             {
                 choices.pairs.push(pair);
             }
