@@ -327,10 +327,10 @@ impl<P: Packet> Surveyor<'_, P> {
         let width = self.group.width(p, found.front);
         let ahead = p.add_rn(found.front, p.mul_rn(width, p.splat(REACH)));
         let reach = p.min_f(p.select(found.one, found.back, ahead), end);
-        thin.measure(|to| {
-            self.surface
-                .terms(p, &self.middle(found.front, Direction::Any), to)
-        });
+        if !active.rest.is_empty() {
+            let front = self.middle(found.front, Direction::Any);
+            thin.measure(|to| self.surface.terms(p, &front, to));
+        }
         thin.weigh(active, |to| {
             self.surface.terms(p, &self.around(found.front, reach), to)
         });
@@ -341,12 +341,21 @@ impl<P: Packet> Surveyor<'_, P> {
             p.add_rd(reach, p.splat(frame.near)),
         );
         let reach = p.to_array(reach);
+        let mut all = p.bits(all);
         for lane in lanes() {
             thin.choose(active, lane, &mut rows[lane].near);
-            rows[lane].reach = reach[lane];
             rows[lane].all.clone_from(&given.all);
+            rows[lane].reach = reach[lane];
+            // Nothing is left out: it holds as far as before.
+            if rows[lane].near == *active {
+                rows[lane].reach = if to_the_end {
+                    f64::INFINITY
+                } else {
+                    given.reach
+                };
+                all |= 1 << lane;
+            }
         }
-        let all = p.bits(all);
         if to_the_end && open & !all != 0 {
             thin.weigh(active, |to| {
                 self.surface.terms(p, &self.around(found.front, last), to)
