@@ -68,7 +68,21 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
     /// Enclosures of f and its first K − 1 derivatives over a segment.
     #[inline(always)]
     pub fn ranges<const K: usize>(&self, p: P, t: &Interval<P::F>) -> [Interval<P::F>; K] {
-        p.operation(Ranges { of: self, t }).0
+        let hulls: [Hull<P>; K] = p.operation(Ranges { of: self, t });
+        let mut ranges = [p.point(p.splat(0.0)); K];
+        let mut k = 0;
+        while k < K {
+            ranges[k] = Interval {
+                lo: p.select(
+                    hulls[k].finite,
+                    hulls[k].range.lo,
+                    p.splat(f64::NEG_INFINITY),
+                ),
+                hi: p.select(hulls[k].finite, hulls[k].range.hi, p.splat(f64::INFINITY)),
+            };
+            k += 1;
+        }
+        ranges
     }
 
     /// The same, but nothing where rounding makes out most of a range, in some lane: on narrow segments, beside roots of
@@ -76,8 +90,16 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
     /// narrower, and never wider by more.
     #[inline(always)]
     pub fn telling<const K: usize>(&self, p: P, t: &Interval<P::F>) -> Option<[Interval<P::F>; K]> {
-        let (ranges, blurred) = p.operation(Ranges { of: self, t });
-        (!p.any(blurred)).then_some(ranges)
+        let hulls: [Hull<P>; K] = p.operation(Ranges { of: self, t });
+        let mut ranges = [p.point(p.splat(0.0)); K];
+        let mut told = hulls[0].sharp;
+        let mut k = 0;
+        while k < K {
+            told = p.and(told, hulls[k].finite);
+            ranges[k] = hulls[k].range;
+            k += 1;
+        }
+        (!p.any(p.not(told))).then_some(ranges)
     }
 }
 
@@ -86,11 +108,21 @@ struct Ranges<'a, P: Packet, const N: usize, const K: usize> {
     t: &'a Interval<P::F>,
 }
 
+/// The range of a derivative.
+#[derive(Clone, Copy)]
+struct Hull<P: Packet> {
+    range: Interval<P::F>,
+    /// Nothing overflowed: else the range is none.
+    finite: P::M,
+    /// Rounding makes out less than half of the range.
+    sharp: P::M,
+}
+
 impl<P: Packet, const N: usize, const K: usize> Routine<P> for Ranges<'_, P, N, K> {
-    type Output = ([Interval<P::F>; K], P::M);
+    type Output = [Hull<P>; K];
 
     #[inline(always)]
-    fn call(self, p: P) -> ([Interval<P::F>; K], P::M) {
+    fn call(self, p: P) -> [Hull<P>; K] {
         let Ranges { of, t } = self;
         let a = p.sub_rd(t.lo, of.middle);
         let w = p.sub_ru(p.sub_ru(t.hi, of.middle), a);
@@ -103,21 +135,14 @@ impl<P: Packet, const N: usize, const K: usize> Routine<P> for Ranges<'_, P, N, 
             powers[i] = p.mul_rn(powers[i - 1], w);
             i += 1;
         }
-        let mut ranges = [p.point(p.splat(0.0)); K];
-        if K > 0 {
-            ranges[0] = hull::<P, N, 0>(p, &alpha, &powers, errors[0]);
-        }
+        let mut hulls = [hull::<P, N, 0>(p, &alpha, &powers, errors[0]); K];
         if K > 1 {
-            ranges[1] = hull::<P, N, 1>(p, &alpha, &powers, errors[1]);
+            hulls[1] = hull::<P, N, 1>(p, &alpha, &powers, errors[1]);
         }
         if K > 2 {
-            ranges[2] = hull::<P, N, 2>(p, &alpha, &powers, errors[2]);
+            hulls[2] = hull::<P, N, 2>(p, &alpha, &powers, errors[2]);
         }
-        // Infinities and NaN tell nothing.
-        let width = p.sub_rn(ranges[0].hi, ranges[0].lo);
-        let told = p.lt(p.mul_rn(p.splat(4.0), errors[0]), width);
-        let told = p.and(told, p.lt(width, p.splat(f64::INFINITY)));
-        (ranges, p.not(told))
+        hulls
     }
 }
 
@@ -161,15 +186,14 @@ fn errors<P: Packet, const N: usize>(p: P, rho: &[P::F; N], sigma: P::F) -> [P::
     [e0, e1, p.add_rn(e2, e2)]
 }
 
-/// The range of the k-th derivative: the hull of its Bernstein coefficients, widened by the error. Whatever overflowed
-/// gives the line.
+/// The range of the k-th derivative: the hull of its Bernstein coefficients, widened by the error.
 #[inline(always)]
 fn hull<P: Packet, const N: usize, const K: usize>(
     p: P,
     alpha: &[P::F; N],
     powers: &[P::F; N],
     error: P::F,
-) -> Interval<P::F> {
+) -> Hull<P> {
     // The forward differences of the Bernstein coefficients at the first one.
     let mut d = [p.splat(0.0); N];
     unrolled!(I => {
@@ -185,16 +209,20 @@ fn hull<P: Packet, const N: usize, const K: usize>(
                 d[I] = p.add_rn(d[I], d[I + 1]);
             }
         });
-        // A NaN stays in d[0], and is what remains in the end.
-        least = p.min_f(least, d[0]);
-        most = p.max_f(most, d[0]);
+        if J != 0 && J + K < N {
+            // A NaN stays in d[0], and is what remains in the end.
+            least = p.min_f(least, d[0]);
+            most = p.max_f(most, d[0]);
+        }
     });
-    let infinity = p.splat(f64::INFINITY);
-    let finite = p.and(p.lt(p.neg_f(infinity), least), p.lt(most, infinity));
-    let finite = p.and(finite, p.lt(error, infinity));
-    Interval {
-        lo: p.select(finite, p.sub_rd(least, error), p.neg_f(infinity)),
-        hi: p.select(finite, p.add_ru(most, error), infinity),
+    let spread = p.sub_rn(most, least);
+    Hull {
+        range: Interval {
+            lo: p.sub_rd(least, error),
+            hi: p.add_ru(most, error),
+        },
+        finite: p.lt(p.add_rn(spread, error), p.splat(f64::INFINITY)),
+        sharp: p.lt(p.add_rn(error, error), spread),
     }
 }
 
