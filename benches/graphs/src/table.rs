@@ -4,7 +4,7 @@ use crate::entry::{Entry, Evaluate, PACKETS, isa};
 use crate::surfaces::Forms;
 
 /// Rounds of which the median is taken.
-const ROUNDS: usize = 31;
+const ROUNDS: usize = 101;
 /// Seconds that a measurement should take at least.
 const LEAST: f64 = 1e-4;
 
