@@ -23,6 +23,8 @@ pub enum Verdict {
         t: Interval,
     },
     /// None, one or two roots lie in `t`, and there |f| reaches down to `residual` or less at its only critical point.
+    /// `t` is at most a millionth of the ray up to the box's far side; if no more is known, that is
+    /// [`Unresolved`](Self::Unresolved).
     ///
     /// Proof: 0 ∉ f''(T); a critical point is proved by opposite signs of f' and enclosed in C; with r = max |f(C)| and
     /// m = min |f''(T)|, any root in T lies within √(2r/m) of C.
@@ -55,8 +57,8 @@ pub enum Why {
     /// Events of several operands of a [solid](crate::solid) overlap: in which order their roots come, or whether they
     /// coincide, is open, and the solid may have roots there or not.
     Order,
-    /// Rounding hides the sign of f: a root of even multiplicity at a kink, a cluster, or a root at the border of the
-    /// domain.
+    /// Rounding hides the sign of f: a root of even multiplicity at a kink or where f is nearly constant, a cluster, or a
+    /// root at the border of the domain.
     Floor,
     /// f cannot be told from 0 on a long piece: the ray runs in the surface, or closer to it than rounding can see.
     Flat,

@@ -4,12 +4,15 @@ use super::line::{Line, Turn};
 use super::{Events, Field, differentiable, twice_differentiable};
 use crate::interval::{Interval, Packet};
 use crate::ray::Lines;
-use crate::verdict::Verdict;
+use crate::verdict::{Verdict, Why};
 
 /// A root's interval that is wider than this gets a second look in twice the precision.
 pub(crate) const WIDE: f64 = 5e-13;
 /// How narrow the second look makes a sign change.
 const GOAL: f64 = 1e-13;
+
+/// A tangency is called undecided if its place is not known to within this part of the search.
+const VAGUE: f64 = 1e-6;
 
 /// How often a piece beside a sign change is halved.
 const DEPTH: u32 = 4;
@@ -24,6 +27,8 @@ pub(crate) struct Second<'b, P: Packet> {
     pub lines: &'b Lines,
     /// Where t = 0 is on them.
     pub entry: P::F,
+    /// Where the search ends.
+    pub end: P::F,
     /// Bit i is set if the interval of ray i's root is too wide.
     pub wide: u8,
     /// May events be decided by the second derivative?
@@ -135,7 +140,7 @@ impl<P: Packet> Second<'_, P> {
     /// Puts an event back, or what it turns out to be.
     fn event(&mut self, lane: usize, event: Verdict) {
         match event {
-            _ if !self.affords(lane) => self.events.push(lane, event),
+            _ if !self.affords(lane) => self.tell(lane, event),
             Verdict::Crossing { t } => {
                 let event = match self.on(lane, |line| line.simple(&t)) {
                     Some(t) => Verdict::Root { t },
@@ -148,12 +153,24 @@ impl<P: Packet> Second<'_, P> {
             Verdict::Tangent { t, .. } => match self.bend(lane, &t) {
                 Some(bend) => {
                     let found = self.on(lane, |line| line.turn(&t, &bend));
-                    found.tell(event, |verdict| self.events.push(lane, verdict));
+                    found.tell(event, |verdict| self.tell(lane, verdict));
                 }
-                None => self.events.push(lane, event),
+                None => self.tell(lane, event),
             },
             _ => self.events.push(lane, event),
         }
+    }
+
+    /// Puts back what has been found.
+    fn tell(&mut self, lane: usize, verdict: Verdict) {
+        let end = self.field.p.to_array(self.end)[lane];
+        let verdict = match verdict {
+            Verdict::Tangent { t, .. } if t.hi - t.lo > VAGUE * end => {
+                Verdict::Unresolved { t, why: Why::Floor }
+            }
+            other => other,
+        };
+        self.events.push(lane, verdict);
     }
 
     /// Takes away what certainly holds no root from both sides of a sign change.

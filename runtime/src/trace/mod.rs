@@ -107,6 +107,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
                 field: Field::new(p, entries, counts, spent),
                 lines: self.lines,
                 entry: self.entry,
+                end: self.over.hi,
                 wide: p.bits(wide),
                 bends,
                 budget: self.settings.budget,

@@ -4,7 +4,7 @@ use zeroset::implicit;
 use zeroset::verdict::Why;
 
 use crate::Case;
-use crate::expected::Expected::{Crossing, Hit, Near, Noise, Open, Root, Tangent};
+use crate::expected::Expected::{Around, Crossing, Hit, Near, Noise, Open, Root, Tangent};
 
 /// An ulp around 0.8.
 const ULP: f64 = 1.0 / (1u64 << 53) as f64;
@@ -51,6 +51,8 @@ cases! {
     "tangent, an ulp outside": (x^2 + y^2 + z^2 = 0.5625) in 1.0 along [-2.0, 0.75 + ULP, 0.0], [1.0, 0.0, 0.0] => [];
     "tangent to a torus": ((x^2 + y^2 + z^2 + 0.1875)^2 = x^2 + y^2) in 1.0 along [-2.0, 0.75, 0.0], [1.0, 0.0, 0.0]
         => [Tangent(2.0)];
+    "tangent to what is flat, where no second look is as sharp": ((y + 2)^0.5 + 1e-9*x^2 = 2^0.5) in 1.0
+        along [-2.0, 0.0, 0.0], [1.0, 0.0, 0.0] => [Around(Why::Floor, 2.0, 1e-2)];
     // Singular points.
     "through a node": (x^2 + y^2 - z^2) in 1.0 along [-2.0, 0.0, 0.0], [1.0, 0.0, 0.0] => [Tangent(2.0)];
     "through a node of Cayley's cubic": (4*(x^2 + y^2 + z^2) + 16*x*y*z = 1) in 1.5

@@ -18,6 +18,8 @@ pub enum Expected {
     Open(Why, f64, f64),
     /// Undecided around here, no wider than 1e-6.
     Near(Why, f64),
+    /// Undecided around here, in an interval that may be this wide.
+    Around(Why, f64, f64),
     /// A root or a change of sign, in an interval that may be this wide: what f64 can tell of f is not more.
     Hit(f64, f64),
     /// Any number of events that are no roots, each undecided or a change of sign.
@@ -66,6 +68,9 @@ impl Expected {
             (Expected::Near(why, at), Verdict::Unresolved { why: w, .. }) => {
                 why == w && around(*at, 1e-6)
             }
+            (Expected::Around(why, at, width), Verdict::Unresolved { why: w, .. }) => {
+                why == w && around(*at, *width)
+            }
             (Expected::Or(one, other), _) => one.is_met(entry, event) || other.is_met(entry, event),
             (Expected::Maybe(some), _) => some.is_met(entry, event),
             _ => false,
@@ -99,6 +104,9 @@ impl fmt::Display for Expected {
             Expected::Crossing(at) => write!(f, "Crossing {at:.6}"),
             Expected::Open(why, from, to) => write!(f, "Unresolved ({why:?}) {from:.6} to {to:.6}"),
             Expected::Near(why, at) => write!(f, "Unresolved ({why:?}) {at:.6}"),
+            Expected::Around(why, at, width) => {
+                write!(f, "Unresolved ({why:?}) {at:.6}, at most {width:.0e} wide")
+            }
             Expected::Hit(at, width) => {
                 write!(f, "Root or Crossing {at:.6}, at most {width:.0e} wide")
             }
