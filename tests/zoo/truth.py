@@ -6,6 +6,8 @@ from flint import acb, acb_poly, arb, arb_series, ctx, fmpq, fmpq_poly
 
 # A piece that is still undecided after so many halvings of the segment is left undecided.
 DEPTH = 70
+# f is nearly constant where |f'|*box is at most this part of its scale.
+FLAT = 1e-6
 
 
 def q(x):
@@ -49,7 +51,7 @@ class Line:
 
 class Truth:
     """Distinct roots in ascending order; pieces that are undecided; whether f is 0 on the whole line; a scale of f; and
-    the least |f| at a critical point off the roots."""
+    the least |f| at a critical point off the roots, or where f is nearly constant."""
 
     def __init__(self, roots, undecided=(), identical=False, scale=1.0, least=float("inf")):
         self.roots, self.undecided, self.identical, self.scale = roots, list(undecided), identical, scale
@@ -144,7 +146,12 @@ def enclosed(shape, start, direction, lo, hi):
     stack = [(ball(lo - margin).mid(), ball(hi + margin).mid(), DEPTH)]
     least = float("inf")
     places = [between(ball(lo), ball(hi), k / 16) for k in range(17)]
-    scale = max(min(float(abs(f).upper()), 1e300) for f in (curve.jet(t)[0] for t in places) if f.is_finite())
+    jets = [jet for jet in map(curve.jet, places) if jet[0].is_finite()]
+    scale = max(min(float(abs(f).upper()), 1e300) for f, *_ in jets)
+    for f, slope, _ in jets:
+        # Nearly constant: a near miss need not have a critical point.
+        if slope.is_finite() and float(abs(slope).upper()) * float(hi - lo) <= FLAT * scale:
+            least = min(least, float(abs(f).lower()))
     steps = 0
     while stack:
         a, b, depth = stack.pop()
