@@ -2,11 +2,12 @@
 
 use super::block::Target;
 use super::choices::{Side, branches, side};
+use super::folds::{accumulator, enter_fields, enter_rows};
 use super::layout::Layout;
-use super::text::{count, flags, index, interval, number, variable};
+use super::text::{flags, index, interval, number, variable};
 use crate::form::Form;
 use crate::functions::Function;
-use crate::graph::{Graph, Id, Op, Over, Scope, Undecided};
+use crate::graph::{Graph, Id, Op, Scope, Undecided};
 use crate::tree::FoldKind;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -365,154 +366,4 @@ fn leaf_value(place: &TokenStream, quadratic: bool, order: u8) -> TokenStream {
         _ => format_ident!("{kind}_curvature"),
     };
     quote!(t.#name(a, #place))
-}
-
-/// A fold's accumulators: declaration and update. Extremes take the first row as it is, because ±∞ on both sides is no
-/// interval.
-fn accumulator(
-    name: &Ident,
-    kind: FoldKind,
-    fold: usize,
-    args: &[&Ident],
-) -> (TokenStream, TokenStream) {
-    let start = |n: i64| {
-        let n = interval(&crate::exact::Rational::from(n));
-        quote!(a.constant(&#n))
-    };
-    let (zero, one) = (start(0), start(1));
-    let first = format_ident!("j{fold}");
-    let part = |k: &str| format_ident!("{name}{k}");
-    match (kind, args) {
-        (FoldKind::Sum, [b, ..]) => (
-            quote!(let mut #name = #zero;),
-            quote!(#name = a.add(#name, #b);),
-        ),
-        (FoldKind::Product, [b]) => (
-            quote!(let mut #name = #one;),
-            quote!(#name = a.mul(#name, #b);),
-        ),
-        (FoldKind::Product, [b, d]) => {
-            let p = part("p");
-            let declare = quote!(let mut #p = #one; let mut #name = #zero;);
-            (
-                declare,
-                quote! { #name = a.add(a.mul(#name, #b), a.mul(#p, #d)); #p = a.mul(#p, #b); },
-            )
-        }
-        (FoldKind::Product, [b, u, v, uv, ..]) => {
-            let (p, pu, pv) = (part("p"), part("pu"), part("pv"));
-            let declare = quote! {
-                let mut #p = #one; let mut #pu = #zero; let mut #pv = #zero; let mut #name = #zero;
-            };
-            let update = quote! {
-                #name = a.add(
-                    a.add(a.mul(#name, #b), a.mul(#p, #uv)),
-                    a.add(a.mul(#pu, #v), a.mul(#pv, #u)),
-                );
-                #pu = a.add(a.mul(#pu, #b), a.mul(#p, #u));
-                #pv = a.add(a.mul(#pv, #b), a.mul(#p, #v));
-                #p = a.mul(#p, #b);
-            };
-            (declare, update)
-        }
-        (FoldKind::Minimum | FoldKind::Maximum, [b]) => {
-            let f = if kind == FoldKind::Minimum {
-                quote!(min)
-            } else {
-                quote!(max)
-            };
-            let update = quote!(#name = if #first == 0 { #b } else { a.#f(#name, #b) };);
-            (quote!(let mut #name = #zero;), update)
-        }
-        (FoldKind::Minimum | FoldKind::Maximum, [b, d, ..]) => {
-            let m = part("m");
-            let chosen = format_ident!("c{}", name.to_string().trim_start_matches('n'));
-            let (f, wins) = if kind == FoldKind::Minimum {
-                (quote!(min), quote!(a.less(#m, #b)))
-            } else {
-                (quote!(max), quote!(a.less(#b, #m)))
-            };
-            let update = quote! {
-                if #first == 0 {
-                    #m = #b;
-                    #name = #d;
-                } else {
-                    let wins = #wins;
-                    #name = a.choose(wins, #name, #d);
-                    #chosen = a.branch(wins, a.clear(), a.clear(), __zeroset::Undecided::Kink);
-                    #m = a.#f(#m, #b);
-                }
-            };
-            (quote!(let mut #m = #zero; let mut #name = #zero;), update)
-        }
-        _ => (quote!(let #name = #zero;), quote!()),
-    }
-}
-
-/// A loop over rows of the prepared surface.
-pub fn enter_rows(
-    graph: &Graph,
-    layout: &Layout,
-    fold: usize,
-    scope: Scope,
-    along_a_ray: bool,
-) -> (TokenStream, TokenStream) {
-    let (j, k) = (format_ident!("j{fold}"), format_ident!("k{fold}"));
-    let (header, mut start) = match layout.active(fold) {
-        Some(list) if along_a_ray => (
-            quote!(for #j in 0..bound.2.visited(#list, t.rough())),
-            quote!(let #k = bound.2.rows[#list][#j] as __zeroset::primitive::usize;),
-        ),
-        _ => {
-            let length = layout.length(graph, fold);
-            (quote!(for #j in 0..#length), quote!(let #k = #j;))
-        }
-    };
-    for (index, entered) in layout.entered(fold, scope) {
-        let (row, leaves) = (format_ident!("row{index}"), format_ident!("leaves{index}"));
-        let mut prepared = layout.prepared_rows(index);
-        let mut bound = layout.bound_rows(index);
-        for f in entered.folds() {
-            let (j, k) = (format_ident!("j{f}"), format_ident!("k{f}"));
-            prepared = quote!(#prepared[#k]);
-            bound = quote!(#bound[#j]);
-        }
-        start.extend(quote!(let #row = &#prepared;));
-        if along_a_ray {
-            start.extend(quote!(let #leaves = &#bound;));
-        }
-    }
-    (header, start)
-}
-
-/// A loop over the rows of a field, or over a range.
-pub fn enter_fields(graph: &Graph, fields: &[Ident], fold: usize) -> (TokenStream, TokenStream) {
-    let (j, r, i) = (
-        format_ident!("j{fold}"),
-        format_ident!("r{fold}"),
-        format_ident!("i{fold}"),
-    );
-    match graph.folds.get(fold).map(|f| &f.over) {
-        Some(Over::Table(field, indices)) => {
-            let Some(name) = fields.get(*field) else {
-                return (quote!(), quote!());
-            };
-            let indices = indices.iter().map(index);
-            let table = quote!(self.#name #(#indices)*);
-            (
-                quote!(for #j in 0..#table.len()),
-                quote!(let #r = #table[#j];),
-            )
-        }
-        Some(Over::Range(start, end)) => {
-            let length = count(usize::try_from(end - start).unwrap_or(0));
-            let start = Literal::i64_suffixed(*start);
-            let counter = quote!(let #i = #start + #j as __zeroset::primitive::i64;);
-            (
-                quote!(for #j in 0..(#length as __zeroset::primitive::usize)),
-                counter,
-            )
-        }
-        None => (quote!(), quote!()),
-    }
 }

@@ -3,6 +3,7 @@
 mod block;
 mod choices;
 mod enclosure;
+mod folds;
 mod item;
 mod layout;
 mod polynomial;

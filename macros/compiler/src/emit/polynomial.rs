@@ -2,7 +2,7 @@
 
 use super::block::Target;
 use super::choices::Side;
-use super::enclosure::enter_rows;
+use super::folds::enter_rows;
 use super::layout::Layout;
 use super::text::{interval, variable};
 use crate::graph::{Graph, Id, Op, Scope};

@@ -1,7 +1,7 @@
 //! The ray stage of polynomials of higher degree: their coefficients in t, by propagation through the graph as written.
 
 use super::block::Target;
-use super::enclosure::enter_rows;
+use super::folds::enter_rows;
 use super::layout::Layout;
 use super::text::{interval, variable};
 use crate::graph::{Graph, Id, Op, Scope};

@@ -1,8 +1,8 @@
 //! The functions of `Surface`, one per binding time and entry point.
 
 use super::block::block;
-use super::enclosure::enter_rows;
-use super::enclosure::{Enclosure, Stage, Value, enter_fields};
+use super::enclosure::{Enclosure, Stage, Value};
+use super::folds::{enter_fields, enter_rows};
 use super::layout::Layout;
 use super::polynomial::{Coefficients, Polynomial, enter_active};
 use super::series::Series;

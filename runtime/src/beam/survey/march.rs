@@ -1,0 +1,169 @@
+//! Eight beams from their front on: what certainly holds no root is passed.
+
+use super::{Bundle, Found, Stretch};
+use crate::beam::{Direction, Group, Slab, Towards};
+use crate::interval::{Interval, Packet};
+use crate::solve::{Enclosed, differentiable, excluded, nonzero};
+
+/// Eight beams.
+pub(super) struct Surveyor<'a, P: Packet> {
+    pub p: P,
+    pub surface: &'a dyn Bundle<P>,
+    pub group: &'a Group<'a, P>,
+    pub stretch: &'a Stretch<P>,
+    /// Evaluations, each of eight beams.
+    pub count: &'a mut u64,
+}
+
+/// The mean value form needs these.
+pub(super) struct Sides<P: Packet> {
+    by: [Interval<P::F>; 2],
+    pub usable: P::M,
+}
+
+/// Beams are not split below so many of their widths: what is nearer is the business of the narrower beams inside.
+const SHORTEST: f64 = 0.5;
+
+impl<P: Packet> Surveyor<'_, P> {
+    #[inline(always)]
+    pub(super) fn value(&mut self, over: &Slab<P::F>) -> Enclosed<P, 1> {
+        *self.count += 1;
+        self.surface.value(self.p, over)
+    }
+
+    /// A piece and a little more, in all directions: the rays' own t differs by the frame's slack.
+    #[inline(always)]
+    pub(super) fn around(&self, front: P::F, back: P::F) -> Towards<P::F> {
+        let p = self.p;
+        let slack = p.splat(8.0 * self.group.slack());
+        let t = Interval {
+            lo: p.max_f(p.sub_rd(front, slack), p.splat(0.0)),
+            hi: p.add_ru(back, slack),
+        };
+        self.group
+            .towards(p, self.group.slab(p, &t), Direction::Any)
+    }
+
+    #[inline(always)]
+    pub(super) fn slope(&mut self, over: Slab<P::F>, direction: Direction) -> Enclosed<P, 2> {
+        *self.count += 1;
+        let towards = self.group.towards(self.p, over, direction);
+        self.surface.slope(self.p, &towards)
+    }
+
+    /// From the front: what is excluded is passed with steps that grow, what is not is tried again at a quarter of the length,
+    /// down to the width of the beam.
+    #[inline(always)]
+    pub(super) fn march(&mut self) -> Found<P> {
+        let p = self.p;
+        let Stretch {
+            mut live,
+            start,
+            end,
+            first,
+            ..
+        } = *self.stretch;
+        let mut open = p.none();
+        let mut front = start;
+        let shortest = p.mul_rn(self.group.width(p, front), p.splat(SHORTEST));
+        let mut length = p.max_f(first, shortest);
+        let mut round = 0;
+        while p.any(live) {
+            let back = p.min_f(p.add_rn(front, length), end);
+            let t = Interval {
+                lo: front,
+                hi: p.max_f(back, front),
+            };
+            let slab = self.group.slab(p, &t);
+            let f = self.value(&slab);
+            let mut none = excluded(p, &f.d[0], &f.flags, live);
+            let short = p.le(length, p.mul_rn(shortest, p.splat(4.0)));
+            let rest = p.and(p.and_not(live, none), short);
+            if p.any(rest) {
+                let sides = self.sides(slab, rest);
+                let f = self.mean(&t, &slab, &sides);
+                let certain = p.and(sides.usable, nonzero(p, &f));
+                none = p.or(none, p.and(rest, certain));
+            }
+            front = p.select(none, t.hi, front);
+            live = p.and_not(live, p.and(none, p.le(end, front)));
+            let failed = p.and_not(live, none);
+            let part = p.mul_rn(length, p.splat(0.25));
+            let stuck = p.and(failed, p.lt(part, shortest));
+            open = p.or(open, stuck);
+            live = p.and_not(live, stuck);
+            let longer = p.select(none, p.add_rn(length, length), part);
+            length = p.select(live, longer, length);
+            round += 1;
+            if round == 200 {
+                open = p.or(open, live);
+                break;
+            }
+        }
+        Found {
+            open,
+            front,
+            length,
+            one: p.none(),
+            back: end,
+            slope: Interval {
+                lo: front,
+                hi: front,
+            },
+            inside: p.none(),
+            plane: [front; 3],
+        }
+    }
+
+    /// The derivatives by x and y over a slab.
+    #[inline(always)]
+    pub(super) fn sides(&mut self, slab: Slab<P::F>, live: P::M) -> Sides<P> {
+        let p = self.p;
+        let x = self.slope(slab, Direction::Right);
+        let y = self.slope(slab, Direction::Up);
+        let usable = differentiable(p, &x.flags, live);
+        Sides {
+            by: [x.d[1], y.d[1]],
+            usable: differentiable(p, &y.flags, usable),
+        }
+    }
+
+    /// f over `t`, which is part of where the sides' derivatives hold: f(t, 0, 0) ± |x|·|f_x| ± |y|·|f_y|.
+    #[inline(always)]
+    pub(super) fn mean(
+        &mut self,
+        t: &Interval<P::F>,
+        slab: &Slab<P::F>,
+        sides: &Sides<P>,
+    ) -> Interval<P::F> {
+        let p = self.p;
+        let zero = p.splat(0.0);
+        let middle = self.value(&Slab {
+            t: *t,
+            half: [zero; 2],
+        });
+        let x = p.mul_nonneg_ru(slab.half[0], p.magnitude(sides.by[0]));
+        let y = p.mul_nonneg_ru(slab.half[1], p.magnitude(sides.by[1]));
+        let around = p.add_ru(x, y);
+        Interval {
+            lo: p.sub_rd(middle.d[0].lo, around),
+            hi: p.add_ru(middle.d[0].hi, around),
+        }
+    }
+
+    /// A point of the middle ray, nearly, and a direction.
+    #[inline(always)]
+    pub(super) fn middle(&self, x: P::F, direction: Direction) -> Towards<P::F> {
+        let zero = self.p.splat(0.0);
+        let over = Slab {
+            t: Interval { lo: x, hi: x },
+            half: [zero; 2],
+        };
+        Towards {
+            over,
+            direction,
+            tilt: zero,
+            turn: [zero; 2],
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Beams on each of whose rays there is exactly one root.
+
+use super::Found;
+use super::march::Surveyor;
+use crate::beam::Direction;
+use crate::interval::{Interval, Packet};
+use crate::solve::{differentiable, nonzero, select};
+
+impl<P: Packet> Surveyor<'_, P> {
+    /// Every ray of a beam has exactly one root in a piece if f has opposite certain signs on its two end faces, is continuous
+    /// between them, and strictly monotone along all rays.
+    #[inline(always)]
+    pub(super) fn prove_single(&mut self, found: &mut Found<P>) {
+        let p = self.p;
+        let front = found.front;
+        let root = self.guess(front);
+        let ahead = p.sub_rn(root, front);
+        let back = p.add_rn(root, p.mul_rn(ahead, p.splat(1.25)));
+        let slack = p.splat(8.0 * self.group.slack());
+        let back = p.max_f(p.add_rn(back, slack), front);
+        let likely = p.and(
+            found.open,
+            p.and(p.le(back, self.stretch.end), p.lt(front, back)),
+        );
+        if !p.any(likely) {
+            return;
+        }
+        let back = p.select(likely, back, front);
+        let t = Interval {
+            lo: front,
+            hi: back,
+        };
+        let slab = self.group.slab(p, &t);
+        let along = self.slope(slab, Direction::Along);
+        let smooth = differentiable(p, &along.flags, likely);
+        let steep = p.and(smooth, nonzero(p, &along.d[1]));
+        if !p.any(steep) {
+            return;
+        }
+        let sides = self.sides(slab, steep);
+        let slack = p.splat(2.0 * self.group.slack());
+        let first = Interval {
+            lo: front,
+            hi: p.add_ru(front, slack),
+        };
+        let last = Interval {
+            lo: p.sub_rd(back, slack),
+            hi: back,
+        };
+        let before = self.mean(&first, &slab, &sides);
+        let behind = self.mean(&last, &slab, &sides);
+        let zero = p.splat(0.0);
+        let rises = p.and(p.lt(before.hi, zero), p.lt(zero, behind.lo));
+        let falls = p.and(p.lt(zero, before.lo), p.lt(behind.hi, zero));
+        let one = p.and(p.and(steep, sides.usable), p.or(rises, falls));
+        found.one = one;
+        found.back = p.select(one, back, found.back);
+        found.slope = select(p, one, &along.d[1], &found.slope);
+        if p.any(one) {
+            found.plane = self.plane(root);
+        }
+    }
+
+    /// The tangential plane at a root of the middle ray: t there, and its change per pixel.
+    #[inline(always)]
+    fn plane(&mut self, root: P::F) -> [P::F; 3] {
+        let p = self.p;
+        let [along, right, up] = [Direction::Along, Direction::Right, Direction::Up]
+            .map(|direction| self.plainly(root, direction)[1]);
+        let scale = p.neg_f(p.div_rn(self.group.pixel(p, root), along));
+        let [right, up] = [p.mul_rn(right, scale), p.mul_rn(up, scale)];
+        let [x, y] = self.group.pixels;
+        let at = p.sub_rn(root, p.add_rn(p.mul_rn(x, right), p.mul_rn(y, up)));
+        [at, right, up]
+    }
+
+    /// f and its derivative in a direction on the middle ray, nearly.
+    #[inline(always)]
+    fn plainly(&mut self, x: P::F, direction: Direction) -> [P::F; 2] {
+        let p = self.p;
+        let half = p.splat(0.5);
+        *self.count += 1;
+        let f = self.surface.slope(p, &self.middle(x, direction));
+        f.d.map(|f| p.mul_rn(half, p.add_rn(f.lo, f.hi)))
+    }
+
+    /// Where the middle ray's root may be: a few Newton steps from the front, which prove nothing.
+    #[inline(always)]
+    fn guess(&mut self, front: P::F) -> P::F {
+        let p = self.p;
+        let mut x = front;
+        for _ in 0..4 {
+            let [value, slope] = self.plainly(x, Direction::Along);
+            let next = p.sub_rn(x, p.div_rn(value, slope));
+            // A step that leads nowhere, or is no number, is not taken.
+            let fine = p.and(p.le(front, next), p.le(next, self.stretch.end));
+            x = p.select(fine, next, x);
+        }
+        x
+    }
+}
