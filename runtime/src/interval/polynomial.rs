@@ -67,27 +67,7 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
         }
     }
 
-    /// Enclosures of f and its first K − 1 derivatives over a segment.
-    #[inline(always)]
-    pub fn ranges<const K: usize>(&self, p: P, t: &Interval<P::F>) -> [Interval<P::F>; K] {
-        let hulls = self.hulls::<K>(p, t);
-        let mut ranges = [p.point(p.splat(0.0)); K];
-        let mut k = 0;
-        while k < K {
-            ranges[k] = Interval {
-                lo: p.select(
-                    hulls[k].finite,
-                    hulls[k].range.lo,
-                    p.splat(f64::NEG_INFINITY),
-                ),
-                hi: p.select(hulls[k].finite, hulls[k].range.hi, p.splat(f64::INFINITY)),
-            };
-            k += 1;
-        }
-        ranges
-    }
-
-    /// The same, but nothing where rounding makes out most of a range, in some lane: on narrow segments, beside roots of
+    /// Enclosures of f and its first K − 1 derivatives over a segment, but nothing where rounding makes out most of a range, in some lane: on narrow segments, beside roots of
     /// high order, where coefficients overflow or are lost below 1e-300. What a formula says as it is written is then
     /// narrower, and never wider by more.
     #[inline(always)]
@@ -104,9 +84,9 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
         (!p.any(p.not(told))).then_some(ranges)
     }
 
-    /// Of low degree in place: with what it takes and says in memory, it took up to half as long again.
+    /// The hulls of f and its first K − 1 derivatives over a segment. Of low degree in place: with what it takes and says in memory, it took up to half as long again.
     #[inline(always)]
-    fn hulls<const K: usize>(&self, p: P, t: &Interval<P::F>) -> [Hull<P>; K] {
+    pub fn hulls<const K: usize>(&self, p: P, t: &Interval<P::F>) -> [Hull<P>; K] {
         let ranges = Ranges { of: self, t };
         if const { N <= Self::IN_PLACE } {
             return ranges.call(p);
@@ -120,14 +100,15 @@ struct Ranges<'a, P: Packet, const N: usize, const K: usize> {
     t: &'a Interval<P::F>,
 }
 
-/// The range of a derivative.
+/// The range of a polynomial, or of a derivative.
 #[derive(Clone, Copy)]
-struct Hull<P: Packet> {
-    range: Interval<P::F>,
+pub struct Hull<P: Packet> {
+    /// All values, where `finite` is set.
+    pub range: Interval<P::F>,
     /// Nothing overflowed: else the range is none.
-    finite: P::M,
+    pub finite: P::M,
     /// Rounding makes out less than half of the range.
-    sharp: P::M,
+    pub sharp: P::M,
 }
 
 impl<P: Packet, const N: usize, const K: usize> Routine<P> for Ranges<'_, P, N, K> {

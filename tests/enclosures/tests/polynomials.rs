@@ -19,9 +19,18 @@ impl<const N: usize> Kernel for &Given<N> {
     fn run<P: Packet>(self, p: P) -> [[Interval; 8]; 3] {
         let c = self.coefficients.map(|c| load(p, c));
         let of = Polynomial::new(p, p.lanes(self.middle), &c);
-        let [f, d, dd] = of.ranges(p, &load(p, self.segment));
+        let all = of.hulls::<3>(p, &load(p, self.segment));
         // The shorter answers are the same.
-        let [g, e] = of.ranges(p, &load(p, self.segment));
+        let some = of.hulls::<2>(p, &load(p, self.segment));
+        // What overflowed is no bound.
+        let line = Interval {
+            lo: p.splat(f64::NEG_INFINITY),
+            hi: p.splat(f64::INFINITY),
+        };
+        let [f, d, dd, g, e] = [all[0], all[1], all[2], some[0], some[1]].map(|hull| Interval {
+            lo: p.select(hull.finite, hull.range.lo, line.lo),
+            hi: p.select(hull.finite, hull.range.hi, line.hi),
+        });
         let both = [p.intersect(f, g).0, p.intersect(d, e).0, dd];
         both.map(|a| {
             let (lo, hi) = (p.to_array(a.lo), p.to_array(a.hi));

@@ -16,10 +16,8 @@ pub enum Expected {
     Crossing(f64),
     /// Undecided from about here to about there.
     Open(Why, f64, f64),
-    /// Undecided around here, no wider than 1e-6.
-    Near(Why, f64),
     /// Undecided around here, in an interval that may be this wide.
-    Around(Why, f64, f64),
+    Near(Why, f64, f64),
     /// A root or a change of sign, in an interval that may be this wide: what f64 can tell of f is not more.
     Hit(f64, f64),
     /// Any number of events that are no roots, each undecided or a change of sign.
@@ -65,10 +63,7 @@ impl Expected {
             }
             (Expected::Noise, Verdict::Unresolved { why, .. }) => *why != Why::Budget,
             (Expected::Noise, Verdict::Tangent { .. } | Verdict::Crossing { .. }) => true,
-            (Expected::Near(why, at), Verdict::Unresolved { why: w, .. }) => {
-                why == w && around(*at, 1e-6)
-            }
-            (Expected::Around(why, at, width), Verdict::Unresolved { why: w, .. }) => {
+            (Expected::Near(why, at, width), Verdict::Unresolved { why: w, .. }) => {
                 why == w && around(*at, *width)
             }
             (Expected::Or(one, other), _) => one.is_met(entry, event) || other.is_met(entry, event),
@@ -103,8 +98,7 @@ impl fmt::Display for Expected {
             Expected::Tangent(at) => write!(f, "Tangent {at:.6}"),
             Expected::Crossing(at) => write!(f, "Crossing {at:.6}"),
             Expected::Open(why, from, to) => write!(f, "Unresolved ({why:?}) {from:.6} to {to:.6}"),
-            Expected::Near(why, at) => write!(f, "Unresolved ({why:?}) {at:.6}"),
-            Expected::Around(why, at, width) => {
+            Expected::Near(why, at, width) => {
                 write!(f, "Unresolved ({why:?}) {at:.6}, at most {width:.0e} wide")
             }
             Expected::Hit(at, width) => {
