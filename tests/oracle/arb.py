@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A second opinion on sums of exponentials, by arb's ball arithmetic at 200 bits: `arb.py SAMPLE`.
+"""A second opinion on sums of exponentials, by arb's ball arithmetic at 200 bits: `arb.py < SAMPLE`.
 
-SAMPLE is written by the test program; floats are hexadecimal, and the surface is level = sum of exp(-q_k):
+The sample is written by the test program; floats are hexadecimal, and the surface is level = sum of exp(-q_k):
 
     sum LEVEL N      N rows follow: centre, then the coefficients of dx^2, dy^2, dz^2, dx*dy, dx*dz, dy*dz
     root O O O D D D ENTRY LO HI      the first root in the box [-1, 1]^3 lies in ENTRY + [LO, HI]
@@ -16,7 +16,7 @@ from fractions import Fraction
 try:
     from flint import arb, ctx, fmpq
 except ImportError:
-    print("SKIPPED arb: python-flint is not installed")
+    print("SKIPPED answers against arb: python-flint is not installed")
     sys.exit(0)
 
 ctx.prec = 200
@@ -111,28 +111,25 @@ def judge(kind, numbers, level, rows):
     return None if before is None or within is None else before == 0 and within == 1
 
 
-def main(path):
+def main():
     level, rows, missing = None, [], 0
     counts = {True: 0, False: 0, None: 0}
-    with open(path) as sample:
-        for number, line in enumerate(sample, 1):
-            word, *rest = line.split()
-            if word == "sum":
-                level, missing, rows = Fraction(float.fromhex(rest[0])), int(rest[1]), []
-                continue
-            if missing:
-                rows.append([Fraction(float.fromhex(x)) for x in [word, *rest]])
-                missing -= 1
-                continue
-            verdict = judge(word, [Fraction(float.fromhex(x)) for x in rest], level, rows)
-            counts[verdict] += 1
-            if verdict is not True:
-                print(f"{path}:{number}: {'wrong' if verdict is False else 'undecided'}: {line.strip()}")
+    for number, line in enumerate(sys.stdin, 1):
+        word, *rest = line.split()
+        if word == "sum":
+            level, missing, rows = Fraction(float.fromhex(rest[0])), int(rest[1]), []
+            continue
+        if missing:
+            rows.append([Fraction(float.fromhex(x)) for x in [word, *rest]])
+            missing -= 1
+            continue
+        verdict = judge(word, [Fraction(float.fromhex(x)) for x in rest], level, rows)
+        counts[verdict] += 1
+        if verdict is not True:
+            print(f"line {number}: {'wrong' if verdict is False else 'undecided'}: {line.strip()}")
     print(f"arb: right {counts[True]}, wrong {counts[False]}, undecided {counts[None]}")
     return 0 if counts[False] == 0 and counts[True] > 0 else 1
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main())

@@ -1,8 +1,9 @@
 //! The optimised graph against the graph as written.
 
+#[path = "../../support/python.rs"]
+mod python;
+
 use std::collections::BTreeMap;
-use std::io::{Write, stderr};
-use std::process::{Command, Stdio};
 
 use num_rational::BigRational;
 use zeroset::interval::Interval;
@@ -221,34 +222,9 @@ fn both_graphs_hold_what_arb_says() {
         lines += &format!("{} |{}\n", words.join(" "), formula.prefix());
     }
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/arb.py");
-    let mut python = Command::new("python3");
-    let started = python
-        .arg(script)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn();
-    let mut child = match started {
-        Ok(child) => child,
-        Err(error) => {
-            let _ = writeln!(
-                stderr(),
-                "SKIPPED rewriting against arb: python3 does not run: {error}"
-            );
-            return;
-        }
-    };
-    // A script that skips does not read.
-    let _ = child
-        .stdin
-        .take()
-        .expect("a pipe")
-        .write_all(lines.as_bytes());
-    let done = child.wait_with_output().expect("an end");
-    let text = String::from_utf8_lossy(&done.stdout);
-    if text.starts_with("SKIPPED") {
-        let _ = writeln!(stderr(), "{}", text.trim());
+    let Some((fine, said)) = python::agrees("rewriting against arb", script, &lines) else {
         return;
-    }
-    println!("{text}");
-    assert!(done.status.success(), "{text}");
+    };
+    println!("{said}");
+    assert!(fine, "{said}");
 }
