@@ -1,7 +1,7 @@
 //! What generated code names. Nothing here is for users.
 
 pub use crate::interval::{
-    Arithmetic, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Polynomial, Quadratic,
+    Arithmetic, Ball, Fine, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Polynomial, Quadratic,
     Rebind, Undecided, series,
 };
 pub use crate::language;
@@ -32,10 +32,13 @@ pub mod primitive {
     pub use std::primitive::{bool, f64, i64, u32, usize};
 }
 
-/// An enclosure of π: the tightest in `f64`.
-pub const PI: Interval = Interval {
-    lo: std::f64::consts::PI,
-    hi: std::f64::consts::PI.next_up(),
+/// π.
+pub const PI: Number = Number {
+    enclosure: Interval {
+        lo: std::f64::consts::PI,
+        hi: std::f64::consts::PI.next_up(),
+    },
+    leading: [std::f64::consts::PI, 1.224_646_799_147_353_2e-16],
 };
 
 /// The number system of the surface stage.

@@ -6,6 +6,11 @@
 
 use crate::interval::Interval;
 
+/// How wide a tangency may be, as a part of the ray up to the box's far side.
+const CLOSE: f64 = 1e-6;
+/// How wide a sign change may be.
+pub(crate) const SHARP: f64 = 1e-12;
+
 /// A statement about a piece of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
@@ -34,7 +39,8 @@ pub enum Verdict {
         /// An upper bound of |f| at the critical point.
         residual: f64,
     },
-    /// At least one root lies in `t`, and nothing before it is a root if the verdict is an answer's first.
+    /// At least one root lies in `t`, and nothing before it is a root if the verdict is an answer's first. `t` is at most
+    /// 10⁻¹² of the ray up to the box's far side; if no more is known, that is [`Unresolved`](Self::Unresolved).
     ///
     /// Proof: f is continuous on `t` and has opposite certain signs before and behind it. How many roots there are was
     /// not decided: a root of odd multiplicity, a cluster, or a solver without derivatives.
@@ -88,6 +94,23 @@ impl Verdict {
     /// Does it leave open whether there is a root?
     pub fn is_open(&self) -> bool {
         matches!(self, Verdict::Tangent { .. } | Verdict::Unresolved { .. })
+    }
+
+    /// The same, or undecided if it does not say where: a sign change or a tangency that is wider than it may be on a ray
+    /// that is searched up to `end`.
+    pub(crate) fn unless_vague(self, end: f64) -> Verdict {
+        let widest = match self {
+            Verdict::Tangent { .. } => CLOSE,
+            Verdict::Crossing { .. } => SHARP,
+            _ => f64::INFINITY,
+        };
+        match self.t() {
+            Some(t) if t.hi - t.lo > widest * end => {
+                let why = Why::Floor;
+                Verdict::Unresolved { t, why }
+            }
+            _ => self,
+        }
     }
 
     /// Appends a verdict that lies behind the others.

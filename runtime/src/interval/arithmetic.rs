@@ -1,6 +1,6 @@
 //! What generated code is written in: one body serves intervals, plain floats, packets and scalars.
 
-use super::{Flags, Interval, Number, Packet, Truth};
+use super::{Ball, Flags, Interval, Number, Packet, Truth};
 
 /// A number system. Generated code is generic over it, so the same straight-line body encloses a surface over a
 /// packet of segments (every [`Packet`] is an `Arithmetic` on intervals) and approximates it in plain floats
@@ -22,6 +22,12 @@ pub trait Arithmetic: Copy {
     #[inline(always)]
     fn literal(self, n: &Number) -> Self::Value {
         self.constant(&n.enclosure)
+    }
+
+    /// A value of the surface stage that is known in twice the precision, too.
+    #[inline(always)]
+    fn stored(self, c: &Interval, _fine: &Ball) -> Self::Value {
+        self.constant(c)
     }
 
     /// No flags set.

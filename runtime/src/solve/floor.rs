@@ -6,7 +6,7 @@ use super::tangent::{self, Ends};
 use super::{Brackets, Events, Field, differentiable, excluded, nonzero, twice_differentiable};
 use crate::contract::Contractor;
 use crate::interval::{Flags, Interval, Jet, Packet, Routine};
-use crate::verdict::{Verdict, Why};
+use crate::verdict::{SHARP, Verdict, Why};
 
 /// The work on the lanes `stuck`, a routine of its own because it is rare.
 pub(crate) struct Stuck<'b, 'f, C, P: Packet> {
@@ -22,8 +22,10 @@ pub(crate) struct Stuck<'b, 'f, C, P: Packet> {
 /// What became of the stuck lanes: a bracket, an event, or nothing at all.
 pub(crate) struct Outcome<P: Packet> {
     pub brackets: Brackets<P>,
-    /// A sign change was reported, which is a hit.
+    /// A sign change was reported.
     pub crossed: P::M,
+    /// It is a hit, without a second look.
+    pub hit: P::M,
     /// All up to here is dealt with.
     pub behind: P::F,
 }
@@ -115,12 +117,15 @@ impl<C: Contractor, P: Packet> Routine<P> for Stuck<'_, '_, C, P> {
             open = p.and_not(open, found.tangent);
         }
         let crossed = p.and(p.and(open, continuous), change);
+        let width = p.sub_ru(zone.t.hi, t.lo);
+        let sharp = p.le(width, p.mul_rd(over.hi, p.splat(SHARP)));
         if p.any(open) {
             report(p, open, crossed, &t, &zone.t, &over, &f.flags, events);
         }
         Outcome {
             brackets,
             crossed,
+            hit: p.and(crossed, sharp),
             behind,
         }
     }
@@ -208,7 +213,7 @@ fn enclose<C: Contractor, P: Packet>(
 
 /// Tangencies; `t` is where the search was stuck: all before it is known to be free.
 #[cold]
-fn report_tangents<P: Packet>(
+pub(super) fn report_tangents<P: Packet>(
     p: P,
     met: P::M,
     t: &Interval<P::F>,

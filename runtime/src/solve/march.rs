@@ -1,5 +1,6 @@
 //! The march: front to back, without a stack.
 
+use super::crawl::Crawl;
 use super::floor::{Outcome, Stuck};
 use super::{Brackets, Field, select};
 use crate::contract::Contractor;
@@ -50,7 +51,7 @@ pub(super) struct Range<P: Packet> {
     pub first: P::F,
     /// The number of evaluations at which a ray's search gives up.
     pub limit: P::F,
-    /// Is a sign change enough to end a ray's search?
+    /// Is a sign change enough to end a ray's search? It may turn out to be too vague if it is wide: then the search goes on.
     pub first_only: bool,
 }
 
@@ -62,11 +63,14 @@ struct Front<P: Packet> {
     gap: Interval<P::F>,
 }
 
+/// Segments of this part of the search are too short for a march that gets on; shorter by 64 at each try that fails.
+const CRAWL: f64 = 1.0 / (1u64 << 14) as f64;
+
 /// Searches for the first root of each ray. Roots that are proved come back as brackets; what is open before them goes
 /// to `events`, and where the first ray's search went on to `cuts`. Each step asks the contractor for what is left of
 /// [front, back]: nothing, and the segment moves on and doubles; a bracket, and the ray is done; or a first piece, which
 /// is searched next, while the gap behind it is remembered. A segment too short to be split, or one whose front cannot be told from a root, is settled by
-/// [`Stuck`].
+/// [`Stuck`]; short ones before that may be jumped over by [`Crawl`].
 #[inline(always)]
 pub(super) fn march<C: Contractor, P: Packet>(
     field: &mut Field<'_, P>,
@@ -79,6 +83,8 @@ pub(super) fn march<C: Contractor, P: Packet>(
     let mut over = range.over;
     let end = over.hi;
     let shortest = p.mul_rn(end, p.splat(1.0 / (1u64 << 48) as f64));
+    let short = p.mul_rn(end, p.splat(CRAWL));
+    let mut crawling = short;
     let mut live = range.live;
     let mut found = Brackets::none(p);
     let mut memory = C::memory(p);
@@ -133,8 +139,22 @@ pub(super) fn march<C: Contractor, P: Packet>(
             // What is found later lies behind the sign change: no neighbourhood reaches back to it.
             over.lo = p.select(crossed, outcome.behind, over.lo);
             if range.first_only {
-                live = p.and_not(live, crossed);
+                live = p.and_not(live, outcome.hit);
             }
+        }
+        let length = p.sub_rn(at.back, at.front);
+        let slow = p.and_not(p.and(p.and(live, split), p.le(length, crawling)), stuck);
+        if C::ORDER >= 2 && p.any(slow) {
+            let jump = p.call(Crawl {
+                field,
+                front: at.front,
+                end,
+                lanes: slow,
+                events,
+            });
+            live = at.settle(p, end, live, jump.jumped, &jump.outcome, &mut found);
+            let shorter = p.mul_rn(length, p.splat(1.0 / 64.0));
+            crawling = p.select(slow, p.select(jump.jumped, short, shorter), crawling);
         }
         if let Some(cuts) = &mut cuts {
             cuts.push(p.to_array(at.front)[0]);

@@ -1,5 +1,6 @@
 //! From contractors to verdicts: the first root along each ray of a packet, or all roots along one ray.
 
+mod crawl;
 mod field;
 mod first;
 mod floor;

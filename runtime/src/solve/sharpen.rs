@@ -4,15 +4,12 @@ use super::line::{Line, Turn};
 use super::{Events, Field, differentiable, twice_differentiable};
 use crate::interval::{Interval, Packet};
 use crate::ray::Lines;
-use crate::verdict::{Verdict, Why};
+use crate::verdict::Verdict;
 
 /// A root's interval that is wider than this gets a second look in twice the precision.
 pub(crate) const WIDE: f64 = 5e-13;
 /// How narrow the second look makes a sign change.
 const GOAL: f64 = 1e-13;
-
-/// A tangency is called undecided if its place is not known to within this part of the search.
-const VAGUE: f64 = 1e-6;
 
 /// How often a piece beside a sign change is halved.
 const DEPTH: u32 = 4;
@@ -42,11 +39,7 @@ pub(crate) struct Second<'b, P: Packet> {
 /// Narrows roots, and decides tangencies, as far as twice the precision can.
 #[cold]
 pub(super) fn sharpen<P: Packet>(mut second: Second<'_, P>, t: &mut Interval<P::F>) {
-    let touched = if second.bends {
-        second.events.touched
-    } else {
-        0
-    };
+    let touched = second.events.touched;
     if second.wide != 0 {
         second.roots(t);
     }
@@ -54,6 +47,10 @@ pub(super) fn sharpen<P: Packet>(mut second: Second<'_, P>, t: &mut Interval<P::
         let events = second.events.take(lane);
         for event in events {
             second.event(lane, event);
+        }
+        let end = second.field.p.to_array(second.end)[lane];
+        for event in &mut second.events.of[lane] {
+            *event = event.unless_vague(end);
         }
     }
 }
@@ -140,7 +137,7 @@ impl<P: Packet> Second<'_, P> {
     /// Puts an event back, or what it turns out to be.
     fn event(&mut self, lane: usize, event: Verdict) {
         match event {
-            _ if !self.affords(lane) => self.tell(lane, event),
+            _ if !self.bends || !self.affords(lane) => self.events.push(lane, event),
             Verdict::Crossing { t } => {
                 let event = match self.on(lane, |line| line.simple(&t)) {
                     Some(t) => Verdict::Root { t },
@@ -153,24 +150,12 @@ impl<P: Packet> Second<'_, P> {
             Verdict::Tangent { t, .. } => match self.bend(lane, &t) {
                 Some(bend) => {
                     let found = self.on(lane, |line| line.turn(&t, &bend));
-                    found.tell(event, |verdict| self.tell(lane, verdict));
+                    found.tell(event, |verdict| self.events.push(lane, verdict));
                 }
-                None => self.tell(lane, event),
+                None => self.events.push(lane, event),
             },
             _ => self.events.push(lane, event),
         }
-    }
-
-    /// Puts back what has been found.
-    fn tell(&mut self, lane: usize, verdict: Verdict) {
-        let end = self.field.p.to_array(self.end)[lane];
-        let verdict = match verdict {
-            Verdict::Tangent { t, .. } if t.hi - t.lo > VAGUE * end => {
-                Verdict::Unresolved { t, why: Why::Floor }
-            }
-            other => other,
-        };
-        self.events.push(lane, verdict);
     }
 
     /// Takes away what certainly holds no root from both sides of a sign change.

@@ -96,8 +96,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
             p.splat(WIDE)
         };
         let wide = p.and(roots.hit, p.lt(goal, width));
-        let bends = self.solver.bends;
-        if p.any(wide) || bends && self.events.touched != 0 {
+        if p.any(wide) || self.events.touched != 0 {
             let OnRays {
                 entries,
                 counts,
@@ -109,7 +108,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
                 entry: self.entry,
                 end: self.over.hi,
                 wide: p.bits(wide),
-                bends,
+                bends: self.solver.bends,
                 budget: self.settings.budget,
                 events: self.events,
             };

@@ -117,6 +117,11 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             }
         }
         trail.evaluations = counts;
+        // Where searches meet, events may have become one.
+        let end = p.to_array(length)[0];
+        for event in &mut trail.events {
+            *event = event.unless_vague(end);
+        }
         if self.first_only {
             let first = trail.events.iter().position(Verdict::is_certain_hit);
             trail

@@ -2,7 +2,7 @@
 
 use super::block::Target;
 use super::choices::{Side, branches, side};
-use super::folds::{accumulator, enter_fields, enter_rows};
+use super::folds::{accumulator, enter_fields, enter_fine_rows, enter_rows};
 use super::layout::Layout;
 use super::text::{flags, index, interval, number, variable};
 use crate::form::Form;
@@ -67,9 +67,12 @@ impl Target for Enclosure<'_> {
             }
             _ if self.is_prepared(id) => {
                 let place = self.place(self.layout.value(id)?);
-                quote!(a.constant(#place))
+                match self.layout.fine_value(id) {
+                    Some(fine) if self.stage == Stage::Space => quote!(a.stored(#place, &#fine)),
+                    _ => quote!(a.constant(#place)),
+                }
             }
-            Op::Pi => quote!(a.constant(&__zeroset::PI)),
+            Op::Pi => quote!(a.literal(&__zeroset::PI)),
             Op::Field(field, indices) => {
                 let (name, indices) = (self.fields.get(*field)?, indices.iter().map(index));
                 quote!(a.constant(&__zeroset::point(self.#name #(#indices)*)))
@@ -152,7 +155,11 @@ impl Target for Enclosure<'_> {
         match self.stage {
             Stage::Surface => enter_fields(self.graph, self.fields, fold),
             Stage::Segment => enter_rows(self.graph, self.layout, fold, scope, true),
-            Stage::Space => enter_rows(self.graph, self.layout, fold, scope, false),
+            Stage::Space => {
+                let (header, start) = enter_rows(self.graph, self.layout, fold, scope, false);
+                let fine = enter_fine_rows(self.layout, fold, scope);
+                (header, quote!(#start #fine))
+            }
         }
     }
 

@@ -89,7 +89,7 @@ pub fn accumulator(
     }
 }
 
-/// A loop over rows of the prepared surface.
+/// A loop over rows of the prepared surface: all of them, or the active ones along a ray.
 pub fn enter_rows(
     graph: &Graph,
     layout: &Layout,
@@ -155,4 +155,21 @@ pub fn enter_fields(graph: &Graph, fields: &[Ident], fold: usize) -> (TokenStrea
         }
         None => (quote!(), quote!()),
     }
+}
+
+/// The rows in twice the precision of a loop that was entered.
+pub fn enter_fine_rows(layout: &Layout, fold: usize, scope: Scope) -> TokenStream {
+    let mut start = TokenStream::new();
+    for (index, entered) in layout.entered(fold, scope) {
+        let Some(mut rows) = layout.fine_rows(index) else {
+            continue;
+        };
+        for f in entered.folds() {
+            let k = format_ident!("k{f}");
+            rows = quote!(#rows[#k]);
+        }
+        let fine = format_ident!("fine{index}");
+        start.extend(quote!(let #fine = &#rows;));
+    }
+    start
 }

@@ -1,6 +1,7 @@
 //! Where the values of the surface and ray stages are stored.
 //!
-//! `Prepared` is the tuple (values, undefined, rows of scope 0, rows of scope 1, …), `Bound` the tuple (linear leaves,
+//! `Prepared` is the tuple (values, undefined, rows of scope 0, rows of scope 1, …, values in twice the precision, their
+//! rows), `Bound` the tuple (linear leaves,
 //! quadratic leaves, what is active, rows of scope 0, …, polynomials of higher degree). A scope is a set of nested loops; its rows are a `Vec` of arrays
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
@@ -10,7 +11,7 @@ use crate::form::Form;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::stage::Staged;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 use std::collections::HashMap;
 
 /// What is stored for one scope.
@@ -39,6 +40,8 @@ pub struct Layout {
     pub terms: Terms,
     /// The choices whose sides need not all be computed.
     pub choices: Choices,
+    /// Are the surface values kept in twice the precision too?
+    pub twice: bool,
     values: HashMap<Id, (Scope, usize)>,
     leaves: Vec<(Scope, bool, usize)>,
     /// The degrees of the polynomials, all in the scope without loops.
@@ -60,6 +63,7 @@ impl Layout {
             outermost,
             terms,
             choices: Choices::new(graph, staged, |id| form.ready(graph, id)),
+            twice: false,
             values: HashMap::new(),
             leaves: Vec::new(),
             polynomials: polynomials.iter().map(|p| p.1).collect(),
@@ -99,6 +103,9 @@ impl Layout {
             list.push(k);
             layout.leaves.push((scope, leaf.quadratic, index));
         }
+        let exact = |id| matches!(graph.op(id), Op::Field(..) | Op::Row(..) | Op::Counter(_));
+        let all_exact = layout.surface_values().all(exact);
+        layout.twice = !all_exact;
         layout
     }
 
@@ -149,6 +156,18 @@ impl Layout {
         })
     }
 
+    /// The place of a surface value in twice the precision: `prepared.3[3]`, or `fine2[3]` inside loops. Nothing if
+    /// `f64` holds all of them.
+    pub fn fine_value(&self, id: Id) -> Option<TokenStream> {
+        let (scope, index) = self.values.get(&id)?;
+        let index = Literal::usize_unsuffixed(*index);
+        let place = match self.row(*scope) {
+            None => self.fine_store(0),
+            Some(k) => format_ident!("fine{k}").into_token_stream(),
+        };
+        self.twice.then(|| quote!(#place[#index]))
+    }
+
     /// The place of a leaf, and whether it is quadratic.
     pub fn leaf(&self, leaf: usize) -> Option<(TokenStream, bool)> {
         let (scope, quadratic, index) = self.leaves.get(leaf)?;
@@ -179,6 +198,16 @@ impl Layout {
     /// `prepared.4`: all rows of a scope in the tuple `Prepared`.
     pub fn prepared_rows(&self, k: usize) -> TokenStream {
         let field = Literal::usize_unsuffixed(2 + k);
+        quote!(prepared.#field)
+    }
+
+    /// The same in twice the precision.
+    pub fn fine_rows(&self, k: usize) -> Option<TokenStream> {
+        self.twice.then(|| self.fine_store(1 + k))
+    }
+
+    fn fine_store(&self, k: usize) -> TokenStream {
+        let field = Literal::usize_unsuffixed(2 + self.rows.len() + k);
         quote!(prepared.#field)
     }
 
@@ -248,12 +277,21 @@ impl Layout {
 
     /// The type `Prepared`.
     pub fn prepared_type(&self) -> TokenStream {
-        let count = Literal::usize_unsuffixed(self.top.values.len());
-        let rows = self.rows.iter().map(|(scope, store)| {
-            let count = Literal::usize_unsuffixed(store.values.len());
-            nested(*scope, quote!([__zeroset::Interval; #count]))
+        let stores = |number: TokenStream| {
+            let array = |store: &Store| {
+                let count = Literal::usize_unsuffixed(store.values.len());
+                quote!([#number; #count])
+            };
+            let rows = self.rows.iter();
+            let rows = rows.map(|(scope, store)| nested(*scope, array(store)));
+            (array(&self.top), rows.collect::<Vec<_>>())
+        };
+        let (top, rows) = stores(quote!(__zeroset::Interval));
+        let fine = self.twice.then(|| {
+            let (top, rows) = stores(quote!(__zeroset::Ball));
+            quote!(#top, #(#rows,)*)
         });
-        quote!(([__zeroset::Interval; #count], __zeroset::primitive::bool, #(#rows,)*))
+        quote!((#top, __zeroset::primitive::bool, #(#rows,)* #fine))
     }
 
     /// The type `Bound<L>`.

@@ -40,8 +40,35 @@ impl Compiled<'_> {
         }
     }
 
-    /// `prepare`: the surface stage, in scalars.
+    /// `prepare`: the surface stage, in scalars, and in twice the precision if that tells more.
     pub fn prepare(&self) -> TokenStream {
+        let (body, top, rows) = self.surface_stage();
+        let of = |numbers: TokenStream| {
+            quote! {{
+                let a = #numbers;
+                let mut undefined = false;
+                #body
+                (#top, undefined, #(#rows,)*)
+            }}
+        };
+        let coarse = of(quote!(__zeroset::scalar()));
+        if !self.layout.twice {
+            return quote!(fn prepare(&self) -> Self::Prepared { #coarse });
+        }
+        let fine = of(quote!(__zeroset::Fine));
+        let fine_rows = (0..rows.len()).map(|k| format_ident!("fine{k}"));
+        let fine_rows: Vec<Ident> = fine_rows.collect();
+        quote! {
+            fn prepare(&self) -> Self::Prepared {
+                let (values, undefined, #(#rows,)*) = #coarse;
+                let (fine, _, #(#fine_rows,)*) = #fine;
+                (values, undefined, #(#rows,)* fine, #(#fine_rows,)*)
+            }
+        }
+    }
+
+    /// The code of the surface stage, the array of its values without loops, and the names of its rows.
+    fn surface_stage(&self) -> (TokenStream, TokenStream, Vec<Ident>) {
         let mut body = TokenStream::new();
         let mut target = self.enclosure(Stage::Surface);
         let mut known = HashMap::new();
@@ -60,17 +87,9 @@ impl Compiled<'_> {
             body.extend(quote!(let #name = #code;));
             rows.push(name);
         }
-        let undefined = undefined(&values);
+        body.extend(undefined(&values));
         let names = values.iter().map(|v| &v.name);
-        quote! {
-            fn prepare(&self) -> Self::Prepared {
-                let a = __zeroset::scalar();
-                let mut undefined = false;
-                #body
-                #undefined
-                ([#(#names),*], undefined, #(#rows,)*)
-            }
-        }
+        (body, quote!([#(#names),*]), rows)
     }
 
     /// The rows of one scope: a `Vec` per loop.

@@ -63,6 +63,9 @@ impl Arithmetic for Fine {
         let [hi, lo] = n.leading;
         Ball::new(hi, lo, hi.abs() * STEP + TINY)
     }
+    fn stored(self, _: &Interval, fine: &Ball) -> Ball {
+        *fine
+    }
     fn clear(self) -> Flags<Scalar> {
         Scalar.clear()
     }
