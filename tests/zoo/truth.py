@@ -158,7 +158,7 @@ def enclosed(shape, start, direction, lo, hi):
         steps += 1
         f, slope, bend = curve.over(a, b)
         if sign(f):
-            if steps < 200 and not sign(slope):
+            if not sign(slope):
                 least = min(least, float(abs(f).lower()))
             continue
         if sign(slope):
