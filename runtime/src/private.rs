@@ -1,8 +1,8 @@
 //! What generated code names. Nothing here is for users.
 
 pub use crate::interval::{
-    Arithmetic, Ball, Fine, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Polynomial, Quadratic,
-    Rebind, Undecided, series,
+    Arithmetic, Ball, Fine, Interval, Jet, Leaves, Linear, Number, Packet, Parameter, Polynomial,
+    Quadratic, Rebind, Undecided, series,
 };
 pub use crate::language;
 pub use crate::ray::Rays;

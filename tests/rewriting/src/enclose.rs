@@ -66,7 +66,7 @@ fn operation(
     let partial = |(n, own): (Interval, Marks)| (Value::Number(n), p.join(all, own));
     let (value, flags) = match op {
         Op::Literal(r) => plain(literal(r)),
-        Op::Pi => plain(zeroset::__private::PI),
+        Op::Pi => plain(zeroset::__private::PI.enclosure),
         Op::Coordinate(k) => plain(over[*k]),
         Op::Negate(a) => plain(Arithmetic::neg(p, number(a))),
         Op::Add(a, b) => plain(Arithmetic::add(p, number(a), number(b))),
