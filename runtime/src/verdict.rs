@@ -9,7 +9,7 @@ use crate::interval::Interval;
 /// How wide a tangency may be, as a part of the ray up to the box's far side.
 const CLOSE: f64 = 1e-6;
 /// How wide a sign change may be.
-pub(crate) const SHARP: f64 = 1e-12;
+const SHARP: f64 = 1e-12;
 
 /// A statement about a piece of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]

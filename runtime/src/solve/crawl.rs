@@ -52,7 +52,7 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
             jumped: p.none(),
             outcome: Outcome {
                 brackets: Brackets::none(p),
-                crossed: p.none(),
+                met: p.none(),
                 hit: p.none(),
                 behind: far,
             },
@@ -72,6 +72,7 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
         jump.jumped = p.or(p.or(found.none, found.tangent), one);
         jump.outcome.behind = p.select(one, found.brackets.resume, far);
         jump.outcome.brackets = found.brackets;
+        jump.outcome.met = found.tangent;
         jump
     }
 }

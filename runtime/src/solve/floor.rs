@@ -6,7 +6,7 @@ use super::tangent::{self, Ends};
 use super::{Brackets, Events, Field, differentiable, excluded, nonzero, twice_differentiable};
 use crate::contract::Contractor;
 use crate::interval::{Flags, Interval, Jet, Packet, Routine};
-use crate::verdict::{SHARP, Verdict, Why};
+use crate::verdict::{Verdict, Why};
 
 /// The work on the lanes `stuck`, a routine of its own because it is rare.
 pub(crate) struct Stuck<'b, 'f, C, P: Packet> {
@@ -22,9 +22,9 @@ pub(crate) struct Stuck<'b, 'f, C, P: Packet> {
 /// What became of the stuck lanes: a bracket, an event, or nothing at all.
 pub(crate) struct Outcome<P: Packet> {
     pub brackets: Brackets<P>,
-    /// A sign change was reported.
-    pub crossed: P::M,
-    /// It is a hit, without a second look.
+    /// An event was reported to which nothing later may reach back.
+    pub met: P::M,
+    /// It is a sign change that is a hit without a second look.
     pub hit: P::M,
     /// All up to here is dealt with.
     pub behind: P::F,
@@ -117,15 +117,14 @@ impl<C: Contractor, P: Packet> Routine<P> for Stuck<'_, '_, C, P> {
             open = p.and_not(open, found.tangent);
         }
         let crossed = p.and(p.and(open, continuous), change);
-        let width = p.sub_ru(zone.t.hi, t.lo);
-        let sharp = p.le(width, p.mul_rd(over.hi, p.splat(SHARP)));
+        let mut hit = p.none();
         if p.any(open) {
-            report(p, open, crossed, &t, &zone.t, &over, &f.flags, events);
+            hit = report(p, open, crossed, &t, &zone.t, &over, &f.flags, events);
         }
         Outcome {
             brackets,
-            crossed,
-            hit: p.and(crossed, sharp),
+            met: crossed,
+            hit,
             behind,
         }
     }
@@ -241,7 +240,7 @@ pub(super) fn report_tangents<P: Packet>(
     }
 }
 
-/// What is left: sign changes, and what is open.
+/// What is left: sign changes, and what is open. The lanes whose sign change is sharp, together with what it touched.
 #[cold]
 #[allow(clippy::too_many_arguments)]
 fn report<P: Packet>(
@@ -253,7 +252,8 @@ fn report<P: Packet>(
     over: &Interval<P::F>,
     flags: &Flags<P>,
     events: &mut Events,
-) {
+) -> P::M {
+    let mut hits = 0;
     let front = p.to_array(t.lo);
     let hi = p.to_array(zone.hi);
     let end = p.to_array(over.hi);
@@ -283,5 +283,9 @@ fn report<P: Packet>(
                 Verdict::Unresolved { t, why }
             },
         );
+        let last = events.of[lane].last().map(|e| e.unless_vague(end[lane]));
+        let sharp = matches!(last, Some(Verdict::Crossing { .. }));
+        hits |= u8::from(crosses && sharp) << lane;
     }
+    p.mask(hits)
 }

@@ -135,9 +135,8 @@ pub(super) fn march<C: Contractor, P: Packet>(
             let job = Stuck::<C, P>::new(field, over, t, stuck, shortest, events);
             let outcome = p.call(job);
             live = at.settle(p, end, live, stuck, &outcome, &mut found);
-            let crossed = p.and(stuck, outcome.crossed);
-            // What is found later lies behind the sign change: no neighbourhood reaches back to it.
-            over.lo = p.select(crossed, outcome.behind, over.lo);
+            // What is found later lies behind the event: no neighbourhood reaches back to it.
+            over.lo = p.select(p.and(stuck, outcome.met), outcome.behind, over.lo);
             if range.first_only {
                 live = p.and_not(live, outcome.hit);
             }
@@ -153,6 +152,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
                 events,
             });
             live = at.settle(p, end, live, jump.jumped, &jump.outcome, &mut found);
+            over.lo = p.select(jump.outcome.met, jump.outcome.behind, over.lo);
             let shorter = p.mul_rn(length, p.splat(1.0 / 64.0));
             crawling = p.select(slow, p.select(jump.jumped, short, shorter), crawling);
         }
