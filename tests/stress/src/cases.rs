@@ -53,6 +53,8 @@ cases! {
         => [Tangent(2.0)];
     // 0.8 as an f64 is 4.4e-17 too large.
     "a miss by less than an ulp": (x^2 + y^2 + z^2 = 0.64) in 1.0 along [-2.0, 0.8, 0.0], [1.0, 0.0, 0.0] => [];
+    "tangent to what is flat": ((y + 2)^0.5 + 1e-9*x^2 = 2^0.5) in 1.0 along [-2.0, 0.0, 0.0], [1.0, 0.0, 0.0]
+        => [Tangent(2.0)];
     "tangent to what is flat, where no second look is as sharp": (atan(y + 0.5) + 1e-9*x^2 = atan(0.5)) in 1.0
         along [-2.0, 0.0, 0.0], [1.0, 0.0, 0.0] => [Near(Why::Floor, 2.0, 1e-2)];
     // Singular points.
