@@ -110,13 +110,8 @@ pub fn enter_rows(
     };
     for (index, entered) in layout.entered(fold, scope) {
         let (row, leaves) = (format_ident!("row{index}"), format_ident!("leaves{index}"));
-        let mut prepared = layout.prepared_rows(index);
-        let mut bound = layout.bound_rows(index);
-        for f in entered.folds() {
-            let (j, k) = (format_ident!("j{f}"), format_ident!("k{f}"));
-            prepared = quote!(#prepared[#k]);
-            bound = quote!(#bound[#j]);
-        }
+        let prepared = in_loops(layout.prepared_rows(index), "k", entered);
+        let bound = in_loops(layout.bound_rows(index), "j", entered);
         start.extend(quote!(let #row = &#prepared;));
         if along_a_ray {
             start.extend(quote!(let #leaves = &#bound;));
@@ -161,15 +156,18 @@ pub fn enter_fields(graph: &Graph, fields: &[Ident], fold: usize) -> (TokenStrea
 pub fn enter_fine_rows(layout: &Layout, fold: usize, scope: Scope) -> TokenStream {
     let mut start = TokenStream::new();
     for (index, entered) in layout.entered(fold, scope) {
-        let Some(mut rows) = layout.fine_rows(index) else {
-            continue;
-        };
-        for f in entered.folds() {
-            let k = format_ident!("k{f}");
-            rows = quote!(#rows[#k]);
+        if let Some(rows) = layout.fine_rows(index) {
+            let (fine, row) = (format_ident!("fine{index}"), in_loops(rows, "k", entered));
+            start.extend(quote!(let #fine = &#row;));
         }
-        let fine = format_ident!("fine{index}");
-        start.extend(quote!(let #fine = &#rows;));
     }
     start
+}
+
+/// The row of nested rows that the counters of these loops say.
+fn in_loops(rows: TokenStream, counter: &str, loops: Scope) -> TokenStream {
+    loops.folds().fold(rows, |rows, f| {
+        let counter = format_ident!("{counter}{f}");
+        quote!(#rows[#counter])
+    })
 }

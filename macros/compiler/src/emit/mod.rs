@@ -1,5 +1,6 @@
 //! From the staged graph to Rust tokens.
 
+mod bind;
 mod block;
 mod choices;
 mod enclosure;
@@ -7,6 +8,7 @@ mod folds;
 mod item;
 mod layout;
 mod polynomial;
+mod prepare;
 mod rebind;
 mod report;
 mod rows;
