@@ -138,9 +138,10 @@ proptest! {
 #[test]
 fn every_operation_of_the_trait_is_under_these_laws() {
     /// Those without a range of their own: constants, flags, and choices, which `choices.rs` is about.
-    const OTHERS: [&str; 12] = [
+    const OTHERS: [&str; 13] = [
         "constant",
         "literal",
+        "stored",
         "clear",
         "join",
         "join_derivative",
