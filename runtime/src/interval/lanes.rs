@@ -242,7 +242,7 @@ macro_rules! operation {
         $lanes.operation(Operation::<$P> { $($operand: $value),* })
     }};
 }
-pub(super) use operation;
+pub(crate) use operation;
 
 /// Methods that are one operation each.
 macro_rules! operations {

@@ -40,6 +40,7 @@ pub use flags::{Flags, Jet, Truth, Undecided};
 pub use functions::UNPROVED;
 pub(crate) use isa::back_ends;
 pub use isa::{Isa, IsaError};
+pub(crate) use lanes::operation;
 pub use lanes::{Kernel, Lanes, Routine};
 pub use leaf::{At, Leaves, Linear, Parameter, Quadratic, Rebind};
 pub use nearest::Nearest;

@@ -1,6 +1,7 @@
 //! What contractors need of intervals beyond arithmetic.
 
 use super::enclose::Enclose;
+use super::lanes::operation;
 use super::{Arithmetic, Interval, Lanes};
 
 /// Interval operations on the lanes of one instruction set: what enclosures and contractors are written in.
@@ -24,12 +25,7 @@ pub trait Packet:
     /// s·x for an exact number of the surface stage: one product for each bound. x is bounded.
     #[inline(always)]
     fn times(self, s: &Interval, x: Interval<Self::F>) -> Interval<Self::F> {
-        let s = self.splat(s.lo);
-        let negative = self.lt(s, self.splat(0.0));
-        Interval {
-            lo: self.mul_rd(s, self.select(negative, x.hi, x.lo)),
-            hi: self.mul_ru(s, self.select(negative, x.lo, x.hi)),
-        }
+        times(self, &s.lo, &x)
     }
 
     /// The real line.
@@ -180,3 +176,15 @@ pub trait Packet:
 }
 
 impl<P: Enclose> Packet for P {}
+
+#[inline(always)]
+fn times<P: Packet>(p: P, s: &f64, x: &Interval<P::F>) -> Interval<P::F> {
+    operation!(<P: Packet> p, (s: f64 = s, x: Interval<P::F> = x) -> Interval<P::F> = p => {
+        let s = p.splat(s);
+        let negative = p.lt(s, p.splat(0.0));
+        Interval {
+            lo: p.mul_rd(s, p.select(negative, x.hi, x.lo)),
+            hi: p.mul_ru(s, p.select(negative, x.lo, x.hi)),
+        }
+    })
+}

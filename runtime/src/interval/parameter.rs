@@ -102,10 +102,10 @@ fn line_at<P: Packet>(p: P, c0: &Interval<P::F>, c1: &Interval<P::F>, t: &P::F) 
 /// 2c₂, exactly.
 #[inline(always)]
 fn doubled<P: Packet>(p: P, c2: Interval<P::F>) -> Interval<P::F> {
-    Interval {
+    operation!(<P: Packet> p, (c2: Interval<P::F> = &c2) -> Interval<P::F> = p => Interval {
         lo: p.add_rn(c2.lo, c2.lo),
         hi: p.add_rn(c2.hi, c2.hi),
-    }
+    })
 }
 
 /// Where the vertex is certainly not inside the segment. A NaN is nowhere.
@@ -236,7 +236,7 @@ impl<P: Packet> Parameter<Nearest<P>> for At<P::F> {
     type Leaves = P;
     #[inline(always)]
     fn linear(self, a: Nearest<P>, leaf: &Linear<P>) -> P::F {
-        a.0.fma_rn(leaf.c1.lo, self.0, leaf.c0.lo)
+        near_line(a.0, &leaf.c0.lo, &leaf.c1.lo, &self.0)
     }
     #[inline(always)]
     fn linear_slope(self, _a: Nearest<P>, leaf: &Linear<P>) -> P::F {
@@ -244,18 +244,21 @@ impl<P: Packet> Parameter<Nearest<P>> for At<P::F> {
     }
     #[inline(always)]
     fn quadratic(self, a: Nearest<P>, leaf: &Quadratic<P>) -> P::F {
-        a.0.fma_rn(
-            a.0.fma_rn(leaf.c2.lo, self.0, leaf.c1.lo),
-            self.0,
-            leaf.c0.lo,
-        )
+        let slope = near_line(a.0, &leaf.c1.lo, &leaf.c2.lo, &self.0);
+        near_line(a.0, &leaf.c0.lo, &slope, &self.0)
     }
     #[inline(always)]
     fn quadratic_slope(self, a: Nearest<P>, leaf: &Quadratic<P>) -> P::F {
-        a.0.fma_rn(a.add(leaf.c2.lo, leaf.c2.lo), self.0, leaf.c1.lo)
+        near_line(a.0, &leaf.c1.lo, &a.add(leaf.c2.lo, leaf.c2.lo), &self.0)
     }
     #[inline(always)]
     fn quadratic_curvature(self, a: Nearest<P>, leaf: &Quadratic<P>) -> P::F {
         a.add(leaf.c2.lo, leaf.c2.lo)
     }
+}
+
+/// c₀ + c₁t, approximately.
+#[inline(always)]
+fn near_line<P: Packet>(p: P, c0: &P::F, c1: &P::F, t: &P::F) -> P::F {
+    operation!(<P: Packet> p, (c0: P::F = c0, c1: P::F = c1, t: P::F = t) -> P::F = p => p.fma_rn(c1, t, c0))
 }
