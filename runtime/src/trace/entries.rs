@@ -49,7 +49,7 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
                 let way = Scalar.mul(one(&t, lane), one(&direction[k], lane));
                 Scalar.add(one(&origin[k], lane), way)
             });
-            let f = S::gradient(Scalar, self.prepared, point);
+            let f = in_space::<S>(self.prepared, &point);
             (bounds[0][lane], bounds[1][lane]) = (f.d[0].lo, f.d[0].hi);
             let Flags {
                 empty,
@@ -77,9 +77,28 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
     }
 
     fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>) {
-        let f = S::gradient(Fine, self.prepared, *point);
-        (f.d, f.flags)
+        fine_in_space::<S>(self.prepared, point)
     }
+}
+
+/// f over a box, in scalars: the same function for all instruction sets, so it is compiled once.
+#[inline(never)]
+fn in_space<S: Surface>(prepared: &S::Prepared, point: &[Interval; 3]) -> Jet<Interval, Scalar, 1> {
+    let f = S::gradient(Scalar, prepared, *point);
+    Jet {
+        d: [f.d[0]],
+        flags: f.flags,
+    }
+}
+
+/// f and its gradient in twice the precision, likewise.
+#[inline(never)]
+fn fine_in_space<S: Surface>(
+    prepared: &S::Prepared,
+    point: &[Ball; 3],
+) -> ([Ball; 4], Flags<Scalar>) {
+    let f = S::gradient(Fine, prepared, *point);
+    (f.d, f.flags)
 }
 
 macro_rules! routine {
