@@ -11,6 +11,7 @@
 mod ablation;
 mod growth;
 mod judge;
+mod models;
 mod packets;
 mod shapes;
 mod timing;

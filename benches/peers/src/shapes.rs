@@ -2,6 +2,7 @@
 //!
 //! All are solids f < 0 inside of the cube [−1, 1]³, since fidget renders solids.
 
+use crate::models::{Model, Model1, Model2, Shared};
 use fidget::context::Tree;
 use zeroset::{Scene, Surface, implicit};
 
@@ -84,6 +85,10 @@ pub fn all() -> Vec<Shape> {
         exponentials(rows("expsum64")),
         spheres(rows("spheres64")),
         shell(1e-3),
+        model::<Model1>("121 operations"),
+        model::<Model2>("498 operations"),
+        #[cfg(feature = "large")]
+        model::<crate::models::Model3>("946 operations"),
     ]
 }
 
@@ -242,6 +247,13 @@ fn shell(thickness: f64) -> Shape {
     shape(&name, Shell { thickness }, tree, move |p| {
         (norm2(p) - 0.64).max(inner - norm2(p))
     })
+}
+
+/// A constructive model.
+fn model<M: Model>(name: &str) -> Shape {
+    let (x, y, z) = Tree::axes();
+    let axes = [x, y, z].map(Shared::new);
+    shape(name, M::default(), M::tree(axes).tree(), M::by_hand)
 }
 
 /// The union of balls.

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Writes models.rs: constructive models of balls, boxes, cylinders and tori, joined one by one: by a union, a difference, or
+a smooth union (the quadratic one: min(a, b) - h^2/4k with h = max(k - |a - b|, 0))."""
+
+import pathlib
+import random
+
+BLEND = 0.08
+
+
+def minus(name, number):
+    return f"{name} + {number[1:]}" if number.startswith("-") else f"{name} - {number}"
+
+
+class Model:
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.lines = []
+        self.operations = 0
+
+    def number(self, low, high):
+        return str(round(self.random.uniform(low, high), 3))
+
+    def let(self, name, expression, operations):
+        self.lines.append(f"let {name} = {expression};")
+        self.operations += operations
+        return name
+
+    def part(self, i, size):
+        """A primitive at a random place: the name of its distance."""
+        centre = [self.number(-0.6, 0.6) for _ in range(3)]
+        x, y, z = (self.let(f"{axis}{i}", minus(axis, c), 1) for axis, c in zip("xyz", centre))
+        kind = self.random.randrange(4)
+        a, b, c = (self.number(0.4 * size, size) for _ in range(3))
+        if kind == 0:
+            return self.let(f"p{i}", f"sqrt({x}*{x} + {y}*{y} + {z}*{z}) - {a}", 7)
+        if kind == 1:
+            return self.let(f"p{i}", f"max(abs({x}) - {a}, max(abs({y}) - {b}, abs({z}) - {c}))", 8)
+        if kind == 2:
+            return self.let(f"p{i}", f"max(sqrt({x}*{x} + {y}*{y}) - {a}, abs({z}) - {b})", 8)
+        ring = self.let(f"q{i}", f"sqrt({x}*{x} + {z}*{z}) - {a}", 5)
+        return self.let(f"p{i}", f"sqrt({ring}*{ring} + {y}*{y}) - {round(0.4 * float(a), 3)}", 5)
+
+    def join(self, i, whole, part, blended):
+        how = self.random.random()
+        if how < blended:
+            h = self.let(f"h{i}", f"max({BLEND} - abs({whole} - {part}), 0.0)", 4)
+            return self.let(f"a{i}", f"min({whole}, {part}) - {h}*{h}*{round(1 / (4 * BLEND), 4)}", 4)
+        if how < blended + 0.2 * (1 - blended):
+            return self.let(f"a{i}", f"max({whole}, -{part})", 2)
+        return self.let(f"a{i}", f"min({whole}, {part})", 1)
+
+
+def model(name, parts, seed, blended, attribute=""):
+    m = Model(seed)
+    names = [m.part(i, 0.5 / parts ** (1 / 3)) for i in range(parts)]
+    whole = names[0]
+    for i, part in enumerate(names[1:]):
+        whole = m.join(i, whole, part, blended)
+    body = "\n    ".join([*m.lines, whole])
+    return f"// {m.operations} operations\n{attribute}model! {{ {name}(x, y, z)\n    {body}\n}}\n"
+
+
+models = [
+    model("Model1", 8, 1, 0.5),
+    model("Model2", 30, 2, 0.5),
+    model("Model3", 62, 3, 0.5, '#[cfg(feature = "large")]\n'),
+]
+pathlib.Path(__file__).with_name("models.rs").write_text("// Written by models.py.\n\n" + "\n".join(models))
