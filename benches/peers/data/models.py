@@ -15,14 +15,14 @@ def minus(name, number):
 class Model:
     def __init__(self, seed):
         self.random = random.Random(seed)
-        self.lines = []
+        self.statements = []
         self.operations = 0
 
     def number(self, low, high):
         return str(round(self.random.uniform(low, high), 3))
 
     def let(self, name, expression, operations):
-        self.lines.append(f"let {name} = {expression};")
+        self.statements.append(f"let {name} = {expression};")
         self.operations += operations
         return name
 
@@ -57,7 +57,8 @@ def model(name, parts, seed, blended, attribute=""):
     whole = names[0]
     for i, part in enumerate(names[1:]):
         whole = m.join(i, whole, part, blended)
-    body = "\n    ".join([*m.lines, whole])
+    # A primitive takes a line or two: its place, and its distance.
+    body = "\n    ".join([*m.statements, whole]).replace(";\n    let y", "; let y").replace(";\n    let z", "; let z")
     return f"// {m.operations} operations\n{attribute}model! {{ {name}(x, y, z)\n    {body}\n}}\n"
 
 

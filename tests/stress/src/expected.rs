@@ -35,6 +35,12 @@ impl Expected {
         Expected::Or(Box::new(self), Box::new(other))
     }
 
+    /// A root in an interval that may be this wide, or undecided there: a change of sign that is wider than a crossing may be.
+    #[must_use]
+    pub fn wide(at: f64, width: f64) -> Expected {
+        Expected::Hit(at, width).or(Expected::Near(Why::Floor, at, width))
+    }
+
     /// This, or nothing.
     #[must_use]
     pub fn or_nothing(self) -> Expected {
