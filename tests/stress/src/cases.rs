@@ -4,7 +4,7 @@ use zeroset::implicit;
 use zeroset::verdict::Why;
 
 use crate::Case;
-use crate::expected::Expected::{Crossing, Hit, Near, Noise, Open, Root, Tangent};
+use crate::expected::Expected::{self, Crossing, Hit, Near, Noise, Open, Root, Tangent};
 
 /// An ulp around 0.8.
 const ULP: f64 = 1.0 / (1u64 << 53) as f64;
