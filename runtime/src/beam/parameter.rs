@@ -1,8 +1,7 @@
 //! Where leaves are evaluated over beams: a piece of a beam, and a direction for derivatives.
 
 use super::{LinearOver, OverBeams, QuadraticOver};
-use crate::interval::operation;
-use crate::interval::{Interval, Packet, Parameter};
+use crate::interval::{Interval, Packet, Parameter, doubled, operation};
 
 /// A piece of a beam: t in an interval, |x| and |y| at most the two numbers.
 #[derive(Clone, Copy)]
@@ -64,7 +63,7 @@ impl<P: Packet> Parameter<P> for Slab<P::F> {
     }
     #[inline(always)]
     fn quadratic_curvature(self, p: P, leaf: &QuadraticOver<P>) -> Interval<P::F> {
-        p.add(leaf.middle.c2, leaf.middle.c2)
+        doubled(p, leaf.middle.c2)
     }
     ranges! {
         Slab<P::F>:

@@ -1,7 +1,7 @@
 //! Ranges of leaves, and of their derivatives, over a piece of a beam.
 
 use super::{Direction, LinearOver, QuadraticOver, Slab, Towards};
-use crate::interval::{Interval, Packet, Parameter};
+use crate::interval::{Interval, Packet, Parameter, doubled};
 
 /// [−r, r], added.
 #[inline(always)]
@@ -10,11 +10,6 @@ fn widen<P: Packet>(p: P, a: Interval<P::F>, r: P::F) -> Interval<P::F> {
         lo: p.sub_rd(a.lo, r),
         hi: p.add_ru(a.hi, r),
     }
-}
-
-#[inline(always)]
-fn doubled<P: Packet>(p: P, a: Interval<P::F>) -> Interval<P::F> {
-    p.add(a, a)
 }
 
 impl<F: Copy> Towards<F> {

@@ -1,8 +1,7 @@
 //! Leaves of a picture, and leaves of beams inside other beams.
 
 use super::{LinearOver, OverBeams, QuadraticOver};
-use crate::interval::operation;
-use crate::interval::{Interval, Linear, Packet, Quadratic, Rebind};
+use crate::interval::{Interval, Linear, Packet, Quadratic, Rebind, doubled, operation};
 
 /// s·a for a number s.
 #[inline(always)]
@@ -130,7 +129,7 @@ impl<P: Packet> Shift<P> {
         let half = p.splat(0.5);
         let mut side = leaf.side;
         for (k, slope) in side.iter_mut().enumerate() {
-            let twice = p.add(leaf.square[k], leaf.square[k]);
+            let twice = doubled(p, leaf.square[k]);
             let other = 1 - k;
             slope.c0 = plus(p, slope.c0, self.at[k], twice);
             slope.c0 = plus(p, slope.c0, self.at[other], leaf.mixed);

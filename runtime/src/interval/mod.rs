@@ -46,6 +46,7 @@ pub use leaf::{At, Leaves, Linear, Parameter, Quadratic, Rebind};
 pub use nearest::Nearest;
 pub use number::IntervalError;
 pub use packet::Packet;
+pub(crate) use parameter::doubled;
 pub use polynomial::{Hull, Polynomial};
 pub use portable::Portable;
 pub use rounding::{Directed, Mode, Rounding, ToNearest, TooTight, Unguarded};

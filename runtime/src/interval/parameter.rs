@@ -99,12 +99,12 @@ fn line_at<P: Packet>(p: P, c0: &Interval<P::F>, c1: &Interval<P::F>, t: &P::F) 
     )
 }
 
-/// 2c₂, exactly.
+/// 2a, exactly, where it is a double: where it overflows, the bound that is nearer to 0 is the largest one.
 #[inline(always)]
-fn doubled<P: Packet>(p: P, c2: Interval<P::F>) -> Interval<P::F> {
-    operation!(<P: Packet> p, (c2: Interval<P::F> = &c2) -> Interval<P::F> = p => Interval {
-        lo: p.add_rn(c2.lo, c2.lo),
-        hi: p.add_rn(c2.hi, c2.hi),
+pub(crate) fn doubled<P: Packet>(p: P, a: Interval<P::F>) -> Interval<P::F> {
+    operation!(<P: Packet> p, (a: Interval<P::F> = &a) -> Interval<P::F> = p => Interval {
+        lo: p.min_f(p.add_rn(a.lo, a.lo), p.splat(f64::MAX)),
+        hi: p.max_f(p.add_rn(a.hi, a.hi), p.splat(f64::MIN)),
     })
 }
 

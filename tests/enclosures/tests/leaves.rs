@@ -57,7 +57,7 @@ fn store<P: Packet>(p: P, a: Interval<P::F>) -> [Interval; 8] {
 fn coefficient(source: &mut Source) -> Interval {
     let sign = if source.below(2) == 0 { 1.0 } else { -1.0 };
     match source.below(30) {
-        0 => return Interval::point(sign * (source.unit() * 60.0 + 960.0).exp2() * 1.9),
+        0 => return Interval::point(sign * (source.unit() * 63.0 + 960.0).exp2() * 1.9),
         1 => return Interval::point(sign * (source.unit() * 70.0 - 1074.0).exp2()),
         2 => {
             let x = source.unit() * 8.0 - 4.0;
