@@ -32,6 +32,7 @@
 //!   [What is proved](guide::what_is_proved), and what would notice.
 //! - [`solid`]: intersections, unions and differences of surfaces.
 //! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
+//! - [`query`]: one surface and rays one by one, without a picture.
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
 //!   [`enclosure`]: forms that enclose f over a piece of a ray.
 //! - [`interval`]: intervals, packets, back-ends, for those who want to look below.
@@ -50,6 +51,7 @@ pub mod enclosure;
 pub mod guide;
 pub mod interval;
 pub mod language;
+pub mod query;
 pub mod ray;
 pub mod render;
 pub mod scene;

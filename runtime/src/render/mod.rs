@@ -110,7 +110,7 @@ pub fn trails(scene: &Scene, ray: &Ray, options: &Options) -> Result<Vec<Trail>,
         .collect())
 }
 
-fn check_ray(ray: &Ray) -> Result<(), RenderError> {
+pub(crate) fn check_ray(ray: &Ray) -> Result<(), RenderError> {
     let speed = ray.direction.abs().max_element();
     let fine = ray.origin.is_finite()
         && ray.origin.abs().max_element() <= 1e150

@@ -6,12 +6,13 @@ pub mod cases;
 pub mod expected;
 
 use expected::Expected;
+use zeroset::Surface;
 use zeroset::camera::Ray;
 use zeroset::glam::DVec3;
 use zeroset::interval::Isa;
-use zeroset::render::{Trail, trails};
+use zeroset::query::Query;
+use zeroset::render::Trail;
 use zeroset::solve::Settings;
-use zeroset::{Options, Scene, Surface};
 
 /// Traces a surface along a ray.
 type Run = dyn Fn(&Ray, Isa, Settings) -> Trail;
@@ -39,19 +40,17 @@ impl Case {
         ray: [[f64; 3]; 2],
         expected: Vec<Expected>,
     ) -> Self {
-        let scene = Scene::new().with(surface).within([-half; 3], [half; 3]);
         Case {
             what,
             formula: formula.split_whitespace().collect::<Vec<_>>().join(" "),
             ray,
             expected,
             run: Box::new(move |ray, isa, settings| {
-                let mut options = Options::new(1, 1);
-                options.isa = Some(isa);
-                options.settings = settings;
-                let found = trails(&scene, ray, &options);
-                let only = found.ok().and_then(|list| list.into_iter().next());
-                only.unwrap_or_default()
+                let domain = [[-half; 3], [half; 3]];
+                let mut query: Query<S> =
+                    Query::new(&surface, domain, isa).expect("a surface in a box");
+                query.settings = settings;
+                query.trail(ray).expect("a ray")
             }),
         }
     }

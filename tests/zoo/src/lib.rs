@@ -12,31 +12,27 @@ pub mod surfaces;
 pub mod text;
 
 use text::Answered;
+use zeroset::Surface;
 use zeroset::camera::Ray;
 use zeroset::implicit;
-use zeroset::render::all_roots;
-use zeroset::{Options, Scene, Surface};
+use zeroset::interval::Isa;
+use zeroset::query::Query;
 
 /// All events along each ray, in a cube of this half width.
 ///
 /// # Errors
 /// If a ray is not one.
-pub fn trace<S: Surface + 'static>(
-    surface: S,
-    half: f64,
-    rays: &[Ray],
-) -> Result<Vec<Answered>, String> {
-    let scene = Scene::new().with(surface).within([-half; 3], [half; 3]);
-    let options = Options::new(1, 1);
+pub fn trace<S: Surface>(surface: S, half: f64, rays: &[Ray]) -> Result<Vec<Answered>, String> {
+    let isa = Isa::detect().map_err(|e| e.to_string())?;
+    let query =
+        Query::<S>::new(&surface, [[-half; 3], [half; 3]], isa).map_err(|e| e.to_string())?;
     rays.iter()
         .map(|ray| {
-            let lists = all_roots(&scene, ray, &options).map_err(|e| e.to_string())?;
-            let list = lists.into_iter().next();
-            let (entry, events) = list.ok_or("a scene without surfaces")?;
+            let trail = query.trail(ray).map_err(|e| e.to_string())?;
             Ok(Answered {
                 ray: *ray,
-                entry,
-                events,
+                entry: trail.entry,
+                events: trail.events,
             })
         })
         .collect()
