@@ -22,10 +22,9 @@ impl<F: Copy> Towards<F> {
         x: Interval<F>,
         y: Interval<F>,
     ) -> Interval<F> {
-        let x = p.mul_nonneg_ru(self.turn[0], p.magnitude(x));
-        let y = p.mul_nonneg_ru(self.turn[1], p.magnitude(y));
-        let rate = p.mul_nonneg_ru(self.tilt, p.magnitude(t));
-        widen(p, t, p.add_ru(rate, p.add_ru(x, y)))
+        let x = p.radius(self.turn[0], p.magnitude(x), p.splat(0.0));
+        let both = p.radius(self.turn[1], p.magnitude(y), x);
+        widen(p, t, p.radius(self.tilt, p.magnitude(t), both))
     }
 }
 
@@ -35,9 +34,9 @@ impl<P: Packet> LinearOver<P> {
     /// The range.
     #[inline(always)]
     pub(super) fn range(&self, p: P, over: &Slab<P::F>) -> Interval<P::F> {
-        let x = p.mul_nonneg_ru(over.half[0], p.magnitude(self.side[0]));
-        let y = p.mul_nonneg_ru(over.half[1], p.magnitude(self.side[1]));
-        widen(p, over.t.linear(p, &self.middle), p.add_ru(x, y))
+        let x = p.radius(over.half[0], p.magnitude(self.side[0]), p.splat(0.0));
+        let both = p.radius(over.half[1], p.magnitude(self.side[1]), x);
+        widen(p, over.t.linear(p, &self.middle), both)
     }
 
     /// The derivative that `towards` names.
@@ -60,27 +59,32 @@ impl<P: Packet> QuadraticOver<P> {
         let zero = p.splat(0.0);
         let middle = over.t.quadratic(p, &self.middle);
         let [x, y] = over.half;
-        let mut around = p.mul_nonneg_ru(p.mul_nonneg_ru(x, y), p.magnitude(self.mixed));
-        let (mut lo, mut hi) = (middle.lo, middle.hi);
-        for (k, h) in [x, y].into_iter().enumerate() {
-            let slope = p.magnitude(over.t.linear(p, &self.side[k]));
-            around = p.add_ru(around, p.mul_nonneg_ru(h, slope));
-            let square = p.mul_nonneg_ru(h, h);
-            let bend = self.square[k];
-            let below = p.max_f(p.neg_f(bend.lo), zero);
-            lo = p.sub_rd(lo, p.mul_nonneg_ru(square, below));
-            hi = p.add_ru(hi, p.mul_nonneg_ru(square, p.max_f(bend.hi, zero)));
+        let mut around = p.radius(p.radius(x, y, zero), p.magnitude(self.mixed), zero);
+        for (h, side) in [x, y].into_iter().zip(&self.side) {
+            around = p.radius(h, p.magnitude(over.t.linear(p, side)), around);
         }
-        widen(p, Interval { lo, hi }, around)
+        let (mut below, mut above) = (around, around);
+        for (h, bend) in [x, y].into_iter().zip(&self.square) {
+            let square = p.radius(h, h, zero);
+            below = p.radius(square, p.max_f(p.neg_f(bend.lo), zero), below);
+            above = p.radius(square, p.max_f(bend.hi, zero), above);
+        }
+        Interval {
+            lo: p.sub_rd(middle.lo, below),
+            hi: p.add_ru(middle.hi, above),
+        }
     }
 
     /// The derivative by t at fixed x and y.
     #[inline(always)]
     pub(super) fn by_t(&self, p: P, over: &Slab<P::F>) -> Interval<P::F> {
         let on_middle = over.t.quadratic_slope(p, &self.middle);
-        let x = p.mul_nonneg_ru(over.half[0], p.magnitude(self.side[0].c1));
-        let y = p.mul_nonneg_ru(over.half[1], p.magnitude(self.side[1].c1));
-        widen(p, on_middle, p.add_ru(x, y))
+        let x = p.radius(over.half[0], p.magnitude(self.side[0].c1), p.splat(0.0));
+        widen(
+            p,
+            on_middle,
+            p.radius(over.half[1], p.magnitude(self.side[1].c1), x),
+        )
     }
 
     /// The derivative by x (k = 0) or y (k = 1).
@@ -88,9 +92,12 @@ impl<P: Packet> QuadraticOver<P> {
     fn by_side(&self, p: P, over: &Slab<P::F>, k: usize) -> Interval<P::F> {
         let on_middle = over.t.linear(p, &self.side[k]);
         let own = doubled(p, self.square[k]);
-        let own = p.mul_nonneg_ru(over.half[k], p.magnitude(own));
-        let other = p.mul_nonneg_ru(over.half[1 - k], p.magnitude(self.mixed));
-        widen(p, on_middle, p.add_ru(own, other))
+        let own = p.radius(over.half[k], p.magnitude(own), p.splat(0.0));
+        widen(
+            p,
+            on_middle,
+            p.radius(over.half[1 - k], p.magnitude(self.mixed), own),
+        )
     }
 
     /// The derivative that `towards` names.

@@ -3,6 +3,15 @@
 use super::Rounding;
 use super::sealed::Sealed;
 
+/// 2⁻⁹⁰⁰: steps in proportion to it are normal numbers, and so are their products with what is not tiny.
+///
+/// An upper bound of a·b + c for a, b, c ≥ 0 from x, what a product and a sum rounded to nearest give, is
+/// x + 4u·max(x, 2⁻⁹⁰⁰), u = 2⁻⁵³. For the product lost at most u of itself, or 2⁻¹⁰⁷⁵, and the sum u, so that
+/// a·b + c ≤ x(1 + 2u + 4u²) + 2⁻¹⁰⁷⁴; and what is added is more than that, rounded again or not.
+pub(super) const RADIUS: f64 = f64::from_bits((1023 - 900) << 52);
+/// 4u
+pub(super) const RADIUS_STEP: f64 = 2.0 * f64::EPSILON;
+
 /// A token for one instruction set. Holding one proves that the processor has it, so every method is safe.
 ///
 /// Only [`Isa`](super::Isa) creates tokens, after detection. A back-end is this trait and nothing else:
@@ -173,6 +182,13 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     #[inline(always)]
     fn mul_nonneg_ru(self, a: Self::F, b: Self::F) -> Self::F {
         self.max_f(self.mul_ru(a, b), self.splat(0.0))
+    }
+    /// An upper bound of a·b + c for radii a, b, c ≥ 0; 0·∞ = 0. It need not be tight below 10⁻²⁷⁰: where a factor is 0, as
+    /// it often is, a back-end that widens gives a small normal number. The smallest subnormal would make many
+    /// processors take a hundred cycles for each operation on it.
+    #[inline(always)]
+    fn radius(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F {
+        self.add_ru(self.mul_nonneg_ru(a, b), c)
     }
     /// A lower bound of a/b.
     fn div_rd(self, a: Self::F, b: Self::F) -> Self::F;

@@ -142,9 +142,8 @@ impl<P: Packet> Surveyor<'_, P> {
             t: *t,
             half: [zero; 2],
         });
-        let x = p.mul_nonneg_ru(slab.half[0], p.magnitude(sides.by[0]));
-        let y = p.mul_nonneg_ru(slab.half[1], p.magnitude(sides.by[1]));
-        let around = p.add_ru(x, y);
+        let x = p.radius(slab.half[0], p.magnitude(sides.by[0]), zero);
+        let around = p.radius(slab.half[1], p.magnitude(sides.by[1]), x);
         Interval {
             lo: p.sub_rd(middle.d[0].lo, around),
             hi: p.add_ru(middle.d[0].hi, around),

@@ -298,6 +298,11 @@ impl<R: Rounding> Lanes for Avx2<R> {
         self.max_f(self.up_nonneg(self.mul_rn(a, b)), self.splat(0.0))
     }
     #[inline(always)]
+    fn radius(self, a: Pair, b: Pair, c: Pair) -> Pair {
+        let product = self.max_f(self.mul_rn(a, b), self.splat(0.0));
+        self.up_radius(self.add_rn(product, c))
+    }
+    #[inline(always)]
     fn div_rd(self, a: Pair, b: Pair) -> Pair {
         self.down_guarded(self.div_rn(a, b))
     }

@@ -2,7 +2,7 @@
 
 use std::arch::x86_64::*;
 
-use super::super::lanes::TWO_THIRDS;
+use super::super::lanes::{RADIUS, RADIUS_STEP, TWO_THIRDS};
 use super::super::{Lanes, Rounding};
 use super::{Avx2, Pair};
 
@@ -10,7 +10,6 @@ use super::{Avx2, Pair};
 const PHI: f64 = f64::from_bits(((1023 - 53) << 52) | 1);
 /// 2⁻¹⁰²¹: below it doubles are 2⁻¹⁰⁷⁴ apart, and |x|·φ is less than half of that.
 const GUARD: f64 = f64::from_bits(2 << 52);
-
 impl<R: Rounding> Avx2<R> {
     /// [`Lanes::decompose`] of four lanes.
     #[inline(always)]
@@ -96,18 +95,24 @@ impl<R: Rounding> Avx2<R> {
         both!(_mm256_fmadd_pd(self.size(x), self.splat(PHI * R::SCALE), x))
     }
 
-    /// As [`down_guarded`](Self::down_guarded), of x ≥ 0 or NaN, which stays one.
+    /// As [`down_guarded`](Self::down_guarded), of x ≥ 0 or NaN, which stays one: the predecessor, by the bits. 0 stays 0;
+    /// a step below it would be subnormal, which takes many processors a hundred cycles. An overflow becomes MAX.
     #[inline(always)]
     pub(super) fn down_nonneg(self, x: Pair) -> Pair {
-        if !R::ON {
+        if R::STEP == 0 {
             return x;
         }
-        let x = self.not_above(x);
-        both!(_mm256_fnmadd_pd(
-            self.raised(x),
-            self.splat(PHI * R::SCALE),
-            x
-        ))
+        let positive = self.lt(self.splat(0.0), x);
+        cpu!({
+            // A true comparison is −1.
+            let step = |x, positive| {
+                _mm256_add_epi64(_mm256_castpd_si256(x), _mm256_castpd_si256(positive))
+            };
+            Pair(
+                _mm256_castsi256_pd(step(x.0, positive.0)),
+                _mm256_castsi256_pd(step(x.1, positive.1)),
+            )
+        })
     }
     /// As [`up_guarded`](Self::up_guarded), of x ≥ 0 or NaN: there is no overflow on the lower side.
     #[inline(always)]
@@ -120,6 +125,16 @@ impl<R: Rounding> Avx2<R> {
             self.splat(PHI * R::SCALE),
             x
         ))
+    }
+
+    /// An upper bound of a·b + c for a, b, c ≥ 0, of which `x` is what two roundings made: see [`RADIUS`].
+    #[inline(always)]
+    pub(super) fn up_radius(self, x: Pair) -> Pair {
+        if !R::ON {
+            return x;
+        }
+        let size = self.max_f(x, self.splat(RADIUS));
+        both!(_mm256_fmadd_pd(size, self.splat(RADIUS_STEP * R::SCALE), x))
     }
 
     /// min(x, MAX). MAX is the first operand so that a NaN stays one.

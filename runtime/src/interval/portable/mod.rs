@@ -4,7 +4,7 @@ mod error_free;
 
 use std::marker::PhantomData;
 
-use super::lanes::decompose;
+use super::lanes::{RADIUS, RADIUS_STEP, decompose};
 use super::sealed::Sealed;
 use super::{Directed, Kernel, Lanes, Rounding, Routine};
 
@@ -64,6 +64,15 @@ fn up_one<R: Rounding>(x: f64) -> f64 {
         x
     };
     x + error::<R>(x)
+}
+
+/// An upper bound of what a product and a sum rounded to x: see [`RADIUS`].
+#[inline(always)]
+fn up_radius<R: Rounding>(x: f64) -> f64 {
+    if !R::ON {
+        return x;
+    }
+    x + x.max(RADIUS) * (RADIUS_STEP * R::SCALE)
 }
 
 /// |x|·φ + η
@@ -352,6 +361,10 @@ impl<R: Rounding> Lanes for Portable<R> {
     fn fma_ru(self, a: F, b: F, c: F) -> F {
         // The least upper bound of x is the negated greatest lower bound of −x.
         self.neg_f(fma_down::<R>(&self.neg_f(a), &b, &self.neg_f(c)))
+    }
+    #[inline(always)]
+    fn radius(self, a: F, b: F, c: F) -> F {
+        map!(i => up_radius::<R>((a[i] * b[i]).max(0.0) + c[i]))
     }
     #[inline(always)]
     fn mul_add_rd(self, a: F, b: F, c: F) -> F {
