@@ -64,7 +64,8 @@ pub enum Why {
     /// coincide, is open, and the solid may have roots there or not.
     Order,
     /// Rounding hides the sign of f: a root of even multiplicity at a kink or where f is nearly constant, a cluster, or a
-    /// root at the border of the domain.
+    /// root at the border of the domain. Or f is so small around a root of high order that to exclude all that holds none
+    /// there would take the whole budget.
     Floor,
     /// f cannot be told from 0 on a long piece: the ray runs in the surface, or closer to it than rounding can see.
     Flat,

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::march::{Range, give_up, march};
+use super::march::{Range, leave_rest, march};
 use super::sharpen::{Second, sharpen};
 use super::{Brackets, Events, Field, Refine, Settings, select};
 use crate::contract::{Auto, Contractor};
@@ -93,7 +93,7 @@ fn search<C: Contractor, P: Packet>(job: Job<'_, P>) -> Roots<P> {
 /// Leaves everything open.
 fn unsearched<P: Packet>(job: Job<'_, P>) -> Roots<P> {
     let p = job.field.p;
-    give_up(p, job.live, job.over.lo, job.over.hi, job.events);
+    leave_rest(p, job.live, job.over.lo, job.over.hi, job.events);
     Roots {
         hit: p.none(),
         t: *job.over,

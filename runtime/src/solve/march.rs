@@ -63,6 +63,22 @@ struct Front<P: Packet> {
     gap: Interval<P::F>,
 }
 
+/// What short steps took so far. Near a root of high order, f is so small that a step which excludes a root is minute, and
+/// millions of them would lie before it: after a part of the budget, pieces are left open instead, each as long as what was
+/// crawled over before. So there is something left for what lies behind. A crawl over more than the length of a short step is
+/// not at one root, and spends the whole budget.
+struct Pace<P: Packet> {
+    /// What was spent when steps became short.
+    since: P::F,
+    /// Where the march was then.
+    from: P::F,
+    /// What may be spent on short steps in a row, before the march leaps.
+    patience: P::F,
+}
+
+/// The part of the budget that may go into one crawl. The rest is for what lies behind it.
+const PATIENCE: f64 = 0.5;
+
 /// Segments of this part of the search are too short for a march that gets on; shorter by 64 at each try that fails.
 const CRAWL: f64 = 1.0 / (1u64 << 14) as f64;
 
@@ -85,6 +101,11 @@ pub(super) fn march<C: Contractor, P: Packet>(
     let shortest = p.mul_rn(end, p.splat(1.0 / (1u64 << 48) as f64));
     let short = p.mul_rn(end, p.splat(CRAWL));
     let mut crawling = short;
+    let mut pace = Pace::<P> {
+        since: *field.spent,
+        from: over.lo,
+        patience: p.mul_rn(range.limit, p.splat(PATIENCE)),
+    };
     let mut live = range.live;
     let mut found = Brackets::none(p);
     let mut memory = C::memory(p);
@@ -142,6 +163,13 @@ pub(super) fn march<C: Contractor, P: Packet>(
             }
         }
         let length = p.sub_rn(at.back, at.front);
+        let spent = *field.spent;
+        let long = p.lt(short, length);
+        pace.since = p.select(long, spent, pace.since);
+        pace.from = p.select(long, at.front, pace.from);
+        let mut tired = p.and_not(p.and(live, split), p.or(stuck, long));
+        tired = p.and(tired, p.lt(pace.patience, p.sub_rn(spent, pace.since)));
+        tired = p.and(tired, p.le(p.sub_rn(at.front, pace.from), short));
         let slow = p.and_not(p.and(p.and(live, split), p.le(length, crawling)), stuck);
         if C::ORDER >= 2 && p.any(slow) {
             let jump = p.call(Crawl {
@@ -153,15 +181,31 @@ pub(super) fn march<C: Contractor, P: Packet>(
             });
             live = at.settle(p, end, live, jump.jumped, &jump.outcome, &mut found);
             over.lo = p.select(jump.outcome.met, jump.outcome.behind, over.lo);
+            tired = p.and_not(tired, jump.jumped);
             let shorter = p.mul_rn(length, p.splat(1.0 / 64.0));
             crawling = p.select(slow, p.select(jump.jumped, short, shorter), crawling);
+        }
+        if p.any(tired) {
+            let piece = at.leap(p, end, shortest, tired, pace.from);
+            let flags = field.value(&piece, tired).flags;
+            let broken = p.bits(p.or(flags.undefined, flags.jump));
+            leave(
+                p,
+                tired,
+                &piece,
+                [Why::Floor, Why::Undefined],
+                broken,
+                events,
+            );
+            over.lo = p.select(tired, piece.hi, over.lo);
+            live = p.and_not(live, p.and(tired, p.le(end, piece.hi)));
         }
         if let Some(cuts) = &mut cuts {
             cuts.push(p.to_array(at.front)[0]);
         }
         let spent = p.and(live, p.lt(range.limit, *field.spent));
         if p.any(spent) {
-            give_up(p, spent, at.front, end, events);
+            leave_rest(p, spent, at.front, end, events);
             live = p.and_not(live, spent);
         }
     }
@@ -190,6 +234,20 @@ impl<P: Packet> Front<P> {
         self.back = p.select(none, p.max_f(longer, behind), first.hi);
     }
 
+    /// A piece that is as long as what was crawled over since `from`. The march goes on behind it.
+    #[inline(always)]
+    fn leap(&mut self, p: P, end: P::F, shortest: P::F, lanes: P::M, from: P::F) -> Interval<P::F> {
+        let length = p.max_f(p.sub_rn(self.front, from), shortest);
+        let piece = Interval {
+            lo: self.front,
+            hi: p.min_f(p.add_rn(self.front, length), end),
+        };
+        self.front = p.select(lanes, piece.hi, self.front);
+        let back = p.min_f(p.add_rn(piece.hi, length), end);
+        self.back = p.select(lanes, back, self.back);
+        piece
+    }
+
     /// Takes over what was found out about the stuck lanes; returns the lanes that go on.
     #[inline(always)]
     fn settle(
@@ -212,25 +270,38 @@ impl<P: Packet> Front<P> {
     }
 }
 
-/// The budget is spent: all the rest is open.
+/// The budget is spent: all from `front` to `end` is open.
+#[cold]
+pub(super) fn leave_rest<P: Packet>(
+    p: P,
+    lanes: P::M,
+    front: P::F,
+    end: P::F,
+    events: &mut Events,
+) {
+    let t = Interval { lo: front, hi: end };
+    leave(p, lanes, &t, [Why::Budget; 2], 0, events);
+}
+
+/// Leaves a piece open, for the second reason where bits are set, else for the first.
 #[cold]
 #[inline(never)]
-pub(super) fn give_up<P: Packet>(p: P, live: P::M, front: P::F, end: P::F, events: &mut Events) {
-    let (front, end) = (p.to_array(front), p.to_array(end));
-    let live = p.bits(live);
-    for lane in 0..8 {
-        if live >> lane & 1 != 0 {
-            let t = Interval {
-                lo: front[lane],
-                hi: end[lane],
-            };
-            events.push(
-                lane,
-                Verdict::Unresolved {
-                    t,
-                    why: Why::Budget,
-                },
-            );
-        }
+fn leave<P: Packet>(
+    p: P,
+    lanes: P::M,
+    t: &Interval<P::F>,
+    why: [Why; 2],
+    second: u8,
+    events: &mut Events,
+) {
+    let (lo, hi) = (p.to_array(t.lo), p.to_array(t.hi));
+    let lanes = p.bits(lanes);
+    for lane in (0..8).filter(|lane| lanes >> lane & 1 != 0) {
+        let t = Interval {
+            lo: lo[lane],
+            hi: hi[lane],
+        };
+        let why = why[usize::from(second >> lane & 1)];
+        events.push(lane, Verdict::Unresolved { t, why });
     }
 }
