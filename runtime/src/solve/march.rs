@@ -163,14 +163,9 @@ pub(super) fn march<C: Contractor, P: Packet>(
             }
         }
         let length = p.sub_rn(at.back, at.front);
-        let spent = *field.spent;
-        let long = p.lt(short, length);
-        pace.since = p.select(long, spent, pace.since);
-        pace.from = p.select(long, at.front, pace.from);
-        let mut tired = p.and_not(p.and(live, split), p.or(stuck, long));
-        tired = p.and(tired, p.lt(pace.patience, p.sub_rn(spent, pace.since)));
-        tired = p.and(tired, p.le(p.sub_rn(at.front, pace.from), short));
-        let slow = p.and_not(p.and(p.and(live, split), p.le(length, crawling)), stuck);
+        let crawls = p.and_not(p.and(live, split), stuck);
+        let mut tired = p.and(pace.tired(p, short, length, at.front, *field.spent), crawls);
+        let slow = p.and(crawls, p.le(length, crawling));
         if C::ORDER >= 2 && p.any(slow) {
             let jump = p.call(Crawl {
                 field,
@@ -210,6 +205,19 @@ pub(super) fn march<C: Contractor, P: Packet>(
         }
     }
     found
+}
+
+impl<P: Packet> Pace<P> {
+    /// Takes a step of this length into account. Where was enough spent on short ones?
+    #[inline(always)]
+    fn tired(&mut self, p: P, short: P::F, length: P::F, front: P::F, spent: P::F) -> P::M {
+        let long = p.lt(short, length);
+        self.since = p.select(long, spent, self.since);
+        self.from = p.select(long, front, self.from);
+        let enough = p.lt(self.patience, p.sub_rn(spent, self.since));
+        let near = p.le(p.sub_rn(front, self.from), short);
+        p.and_not(p.and(enough, near), long)
+    }
 }
 
 impl<P: Packet> Front<P> {

@@ -10,6 +10,7 @@ use super::{Avx2, Pair};
 const PHI: f64 = f64::from_bits(((1023 - 53) << 52) | 1);
 /// 2⁻¹⁰²¹: below it doubles are 2⁻¹⁰⁷⁴ apart, and |x|·φ is less than half of that.
 const GUARD: f64 = f64::from_bits(2 << 52);
+
 impl<R: Rounding> Avx2<R> {
     /// [`Lanes::decompose`] of four lanes.
     #[inline(always)]
