@@ -34,14 +34,17 @@ fn theirs() -> Vec<Theirs> {
 
 /// One loop per operation; `f` is inlined into it.
 #[inline(always)]
-fn each(all: &mut [Theirs], f: impl Fn(Interval, Interval, Interval) -> Interval) {
-    for x in all {
-        x.out = f(x.a, x.b, x.c);
+fn each((all, count): (&mut [Theirs], u32), f: impl Fn(Interval, Interval, Interval) -> Interval) {
+    for _ in 0..count {
+        for x in std::hint::black_box(&mut *all) {
+            x.out = f(x.a, x.b, x.c);
+        }
     }
 }
 
-/// One pass; false where inari has no such operation.
-fn pass(operation: Operation, x: &mut [Theirs]) -> bool {
+/// `count` passes; false where inari has no such operation.
+fn passes(operation: Operation, all: &mut [Theirs], count: u32) -> bool {
+    let x = (all, count);
     match operation {
         Operation::Copy => each(x, |_, b, _| b),
         Operation::Add => each(x, |a, b, _| a + b),
@@ -85,7 +88,7 @@ fn main() {
     let mut all = back_ends();
     all.push(Contestant {
         name: "inari",
-        pass: Box::new(move |operation| pass(operation, std::hint::black_box(&mut theirs))),
+        passes: Box::new(move |operation, count| passes(operation, &mut theirs, count)),
     });
     compare(
         &mut all,

@@ -16,23 +16,21 @@ const LEAST: f64 = 2e5;
 pub struct Contestant<'a> {
     /// The head of its column.
     pub name: &'static str,
-    /// One pass over all operands; false if the operation is missing.
-    pub pass: Box<dyn FnMut(Operation) -> bool + 'a>,
+    /// So many passes over all operands; false if the operation is missing.
+    pub passes: Box<dyn FnMut(Operation, u32) -> bool + 'a>,
 }
 
 impl Contestant<'_> {
     /// Nanoseconds of processor time per interval, for so many passes.
     fn measure(&mut self, operation: Operation, passes: u32) -> f64 {
         let start = ProcessTime::now();
-        for _ in 0..passes {
-            (self.pass)(operation);
-        }
+        (self.passes)(operation, passes);
         start.elapsed().as_secs_f64() * 1e9 / (f64::from(passes) * COUNT as f64)
     }
 
     /// How many passes make a measurement; 0 if the operation is missing.
-    fn passes(&mut self, operation: Operation) -> u32 {
-        if !(self.pass)(operation) {
+    fn enough(&mut self, operation: Operation) -> u32 {
+        if !(self.passes)(operation, 1) {
             return 0;
         }
         let once = self.measure(operation, 8) * COUNT as f64;
@@ -42,7 +40,7 @@ impl Contestant<'_> {
 
 /// The medians of one operation, in the order of the contestants.
 fn medians(all: &mut [Contestant], operation: Operation) -> Vec<Option<f64>> {
-    let passes: Vec<u32> = all.iter_mut().map(|one| one.passes(operation)).collect();
+    let passes: Vec<u32> = all.iter_mut().map(|one| one.enough(operation)).collect();
     let mut times = vec![Vec::new(); all.len()];
     for _ in 0..ROUNDS {
         for (i, one) in all.iter_mut().enumerate() {

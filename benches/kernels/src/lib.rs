@@ -12,18 +12,20 @@ pub use operation::Operation;
 use data::Row;
 use zeroset::interval::{Isa, Kernel, Packet};
 
-/// One pass of one operation over all operands.
-struct Pass<'a> {
+/// Passes of one operation over all operands. They are counted inside of the kernel: the choice of a back-end and of the
+/// loop takes as long as twenty additions of packets.
+struct Passes<'a> {
     operation: Operation,
+    count: u32,
     rows: &'a mut [Row],
 }
 
-impl Kernel for Pass<'_> {
+impl Kernel for Passes<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        operation::for_each(p, self.operation, self.rows);
+        operation::for_each(p, self.operation, self.count, self.rows);
     }
 }
 
@@ -35,10 +37,11 @@ pub fn back_ends() -> Vec<Contestant<'static>> {
         let mut rows = data::rows();
         Contestant {
             name: isa.name(),
-            pass: Box::new(move |operation| {
-                isa.run(Pass {
+            passes: Box::new(move |operation, count| {
+                isa.run(Passes {
                     operation,
-                    rows: std::hint::black_box(&mut rows),
+                    count,
+                    rows: &mut rows,
                 });
                 true
             }),

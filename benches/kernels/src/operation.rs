@@ -1,5 +1,7 @@
 //! The operations that are timed: one loop each, so that no choice is made inside.
 
+use std::hint::black_box;
+
 use zeroset::interval::{Interval, Packet, Parameter, Quadratic};
 
 use crate::data::{Row, load};
@@ -26,12 +28,12 @@ macro_rules! operations {
             }
         }
 
-        /// The operation on each packet of operands.
+        /// The operation on each packet of operands, `count` times over.
         #[inline(always)]
-        pub fn for_each<P: Packet>(p: P, operation: Operation, rows: &mut [Row]) {
+        pub fn for_each<P: Packet>(p: P, operation: Operation, count: u32, rows: &mut [Row]) {
             match operation {
-                $(Operation::$variant => {
-                    for row in rows {
+                $(Operation::$variant => for _ in 0..count {
+                    for row in black_box(&mut *rows) {
                         #[allow(unused_variables)]
                         let ($p, $a, $b, $c) =
                             (p, load(p, &row.a), load(p, &row.b), load(p, &row.c));
