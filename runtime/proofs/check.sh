@@ -45,7 +45,7 @@ same() {
                 { echo "FAILED: $literal of $name.sollya is not in $scripts"; failed=1; }
         done
     done
-    echo "compared the constants of $name.sollya with $scripts, $*"
+    echo "compared the constants of $name.sollya with ${scripts:+$scripts, }$*"
 }
 
 same exp exp "$functions/exp.rs"
@@ -60,6 +60,8 @@ both exp_m1.g "[0, 0.34658]" 2.6e-17
 both exp_m1_zero.g "[-0.34658, -1b-40]" 3.38e-16
 both exp_m1_zero.g "[1b-40, 0.34658]" 3.38e-16
 same exp_m1 "" "$functions/hyperbolic.rs"
+same derived "" "$functions/derived.rs"
+same fine "" ../src/interval/fine/functions.rs
 for wave in sin cos; do
     for script in "${wave}_fused.g" "${wave}_plain.g"; do
         prove "$script" "" ""

@@ -10,8 +10,8 @@ impl Ball {
     pub fn exp(self) -> Ball {
         /// ln 2 = 0.6931471805599453 + 2.3190468138462996·10⁻¹⁷ + less than 6·10⁻³⁴.
         const LN_2: Ball = Ball {
-            hi: std::f64::consts::LN_2,
-            lo: 2.319_046_813_846_299_6e-17,
+            hi: f64::from_bits(0x3fe62e42fefa39ef),
+            lo: f64::from_bits(0x3c7abc9e3b39803f),
             radius: 6e-34,
         };
         let whole = (self.hi / std::f64::consts::LN_2).round();
@@ -48,8 +48,8 @@ impl Ball {
     fn sin_cos(self) -> Option<[Ball; 2]> {
         /// π/2 = 1.5707963267948966 + 6.123233995736766·10⁻¹⁷ − 1.4973849048591833·10⁻³³ + …
         const HALF_PI: Ball = Ball {
-            hi: std::f64::consts::FRAC_PI_2,
-            lo: 6.123_233_995_736_766e-17,
+            hi: f64::from_bits(0x3ff921fb54442d18),
+            lo: f64::from_bits(0x3c91a62633145c07),
             radius: 1.5e-33,
         };
         let whole = (self.hi / std::f64::consts::FRAC_PI_2).round();
