@@ -2,7 +2,7 @@
 
 use super::floor::{Outcome, report_tangents};
 use super::tangent::{self, Ends};
-use super::{Brackets, Events, Field, nonzero};
+use super::{Brackets, Enclosed, Events, Field, nonzero};
 use crate::interval::{Interval, Packet, Routine};
 
 /// Jumps over the critical point before the fronts of `lanes`: a routine of its own because it is rare.
@@ -15,6 +15,8 @@ pub(super) struct Crawl<'b, 'f, P: Packet> {
     /// Where the search ends.
     pub end: P::F,
     pub lanes: P::M,
+    /// Those of them where the march was stuck: it jumps away from a critical point behind it, too.
+    pub stuck: P::M,
     pub events: &'b mut Events,
 }
 
@@ -34,6 +36,7 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
             front,
             end,
             lanes,
+            stuck,
             events,
         } = self;
         let here = Interval {
@@ -41,11 +44,7 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
             hi: front,
         };
         let at = field.curvature(&here, lanes);
-        // Three times as far as Newton's step on f' goes: a guess, no claim. (Between two roots, twice as far would end
-        // at the second.)
-        let slope = p.add_rn(at.d[1].lo, at.d[1].hi);
-        let step = p.mul_rn(p.splat(1.5), p.div_rn(slope, at.d[2].lo));
-        let far = p.min_f(p.sub_rn(front, step), end);
+        let far = p.min_f(p.add_rn(front, reach(p, &at, stuck)), end);
         // What is no number is not taken.
         let lanes = p.and(p.and(lanes, p.lt(front, far)), nonzero(p, &at.d[0]));
         let mut jump = Jump {
@@ -75,4 +74,23 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
         jump.outcome.met = found.tangent;
         jump
     }
+}
+
+/// Beyond what may lie ahead of a place where f, f' and f'' are about this: a guess, no claim. Where f bends away from 0,
+/// half as far again as the root of the parabola with these derivatives. Where it bends towards 0, three times as
+/// far as the parabola's turn (between two roots, twice as far would end at the second). Nowhere if the turn lies
+/// behind, but for the lanes of `leave`: twice as far from it.
+#[inline(always)]
+fn reach<P: Packet>(p: P, at: &Enclosed<P, 3>, leave: P::M) -> P::F {
+    let zero = p.splat(0.0);
+    let [f, slope, bend] = at.d.map(|x| p.add_rn(x.lo, x.hi));
+    let turn = p.neg_f(p.div_rn(slope, bend));
+    let height = p.div_rn(f, bend);
+    let root = p.sqrt_rn(p.sub_rn(p.mul_rn(turn, turn), p.add_rn(height, height)));
+    let ahead = p.mul_rn(p.splat(3.0), turn);
+    let behind = p.lt(turn, zero);
+    let towards = p.select(behind, p.neg_f(turn), ahead);
+    let away = p.mul_rn(p.splat(1.5), p.add_rn(turn, root));
+    let far = p.select(p.lt(height, zero), away, towards);
+    p.select(p.and_not(behind, leave), zero, far)
 }

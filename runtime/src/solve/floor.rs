@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::tangent::{self, Ends};
-use super::{Brackets, Events, Field, differentiable, excluded, nonzero, twice_differentiable};
+use super::{Brackets, Events, Field, differentiable, excluded, nonzero};
 use crate::contract::Contractor;
 use crate::interval::{Flags, Interval, Jet, Packet, Routine};
 use crate::verdict::{Verdict, Why};
@@ -102,12 +102,6 @@ impl<C: Contractor, P: Packet> Routine<P> for Stuck<'_, '_, C, P> {
         }
         let mut behind = zone.t.hi;
         if C::ORDER >= 2 && p.any(open) {
-            // A convex (or concave) f with opposite signs at the ends has one root between them.
-            let bent = p.and(twice_differentiable(p, &f.flags, open), nonzero(p, &f.d[2]));
-            let one = p.and(bent, change);
-            let rising = p.lt(zone.ends.lo.hi, p.splat(0.0));
-            brackets.put(p, one, &zone.t, &any_slope(p), rising, zone.t.hi);
-            open = p.and_not(open, one);
             let found = tangent::tangent(field, &zone.t, &f, &zone.ends, open);
             brackets.join(p, found.brackets.found, &found.brackets);
             open = p.and_not(p.and_not(open, found.none), found.brackets.found);

@@ -86,7 +86,7 @@ const CRAWL: f64 = 1.0 / (1u64 << 14) as f64;
 /// to `events`, and where the first ray's search went on to `cuts`. Each step asks the contractor for what is left of
 /// [front, back]: nothing, and the segment moves on and doubles; a bracket, and the ray is done; or a first piece, which
 /// is searched next, while the gap behind it is remembered. A segment too short to be split, or one whose front cannot be told from a root, is settled by
-/// [`Stuck`]; short ones before that may be jumped over by [`Crawl`].
+/// [`Stuck`]; short ones before that, and what follows where it is stuck again and again, may be jumped over by [`Crawl`].
 #[inline(always)]
 pub(super) fn march<C: Contractor, P: Packet>(
     field: &mut Field<'_, P>,
@@ -106,6 +106,9 @@ pub(super) fn march<C: Contractor, P: Packet>(
         from: over.lo,
         patience: p.mul_rn(range.limit, p.splat(PATIENCE)),
     };
+    // How often the march was stuck since it got on, and how often it must have been for a jump.
+    let mut idle = zero;
+    let mut enough = p.splat(2.0);
     let mut live = range.live;
     let mut found = Brackets::none(p);
     let mut memory = C::memory(p);
@@ -162,16 +165,21 @@ pub(super) fn march<C: Contractor, P: Packet>(
                 live = p.and_not(live, outcome.hit);
             }
         }
+        idle = p.select(stuck, p.add_rn(idle, p.splat(1.0)), idle);
+        let again = p.and(p.and(stuck, live), p.le(enough, idle));
         let length = p.sub_rn(at.back, at.front);
+        let long = p.lt(short, length);
+        idle = p.select(long, zero, idle);
         let crawls = p.and_not(p.and(live, split), stuck);
         let mut tired = p.and(pace.tired(p, short, length, at.front, *field.spent), crawls);
-        let slow = p.and(crawls, p.le(length, crawling));
+        let slow = p.or(p.and(crawls, p.le(length, crawling)), again);
         if C::ORDER >= 2 && p.any(slow) {
             let jump = p.call(Crawl {
                 field,
                 front: at.front,
                 end,
                 lanes: slow,
+                stuck: again,
                 events,
             });
             live = at.settle(p, end, live, jump.jumped, &jump.outcome, &mut found);
@@ -179,6 +187,9 @@ pub(super) fn march<C: Contractor, P: Packet>(
             tired = p.and_not(tired, jump.jumped);
             let shorter = p.mul_rn(length, p.splat(1.0 / 64.0));
             crawling = p.select(slow, p.select(jump.jumped, short, shorter), crawling);
+            idle = p.select(jump.jumped, zero, idle);
+            let rarer = p.select(jump.jumped, p.splat(2.0), p.add_rn(enough, enough));
+            enough = p.select(again, rarer, enough);
         }
         if p.any(tired) {
             let piece = at.leap(p, end, shortest, tired, pace.from);

@@ -4,7 +4,7 @@ use super::line::{Line, Turn};
 use super::{Events, Field, differentiable, twice_differentiable};
 use crate::interval::{Interval, Packet};
 use crate::ray::Lines;
-use crate::verdict::Verdict;
+use crate::verdict::{Verdict, Why};
 
 /// A root's interval that is wider than this gets a second look in twice the precision.
 pub(crate) const WIDE: f64 = 5e-13;
@@ -154,8 +154,36 @@ impl<P: Packet> Second<'_, P> {
                 }
                 None => self.events.push(lane, event),
             },
+            Verdict::Unresolved { t, why: Why::Floor } => match self.separate(lane, &t) {
+                Some(roots) => {
+                    for t in roots.into_iter().flatten() {
+                        self.events.push(lane, Verdict::Root { t });
+                    }
+                }
+                None => self.events.push(lane, event),
+            },
             _ => self.events.push(lane, event),
         }
+    }
+
+    /// All roots of an open piece, at most two, if twice the precision tells.
+    fn separate(&mut self, lane: usize, t: &Interval) -> Option<[Option<Interval>; 2]> {
+        let [before, behind] = self.on(lane, |line| [line.sign(t.lo), line.sign(t.hi)]);
+        let change = before? != behind?;
+        if !change && self.free(lane, *t, DEPTH) {
+            return Some([None; 2]);
+        }
+        let bend = self.bend(lane, t)?;
+        self.on(lane, |line| {
+            if change {
+                return Some([Some(line.bisect(*t)), None]);
+            }
+            match line.turn(t, &bend) {
+                Turn::None => Some([None; 2]),
+                Turn::Roots(roots) => Some(roots),
+                Turn::Tangent { .. } | Turn::Unknown => None,
+            }
+        })
     }
 
     /// Takes away what certainly holds no root from both sides of a sign change.

@@ -45,8 +45,11 @@ pub(crate) struct Found<P: Packet> {
     pub residual: P::F,
 }
 
-/// Let 0 ∉ f''(T), and f'' > 0 (else mirror the signs), and let f' have opposite certain signs at the ends of T. Then f
-/// has exactly one critical point c in T, its minimum. Newton on f' encloses c in C: c ∈ m − f'(m)/f''(T). On C,
+/// Let 0 ∉ f''(T), and f'' > 0 (else mirror the signs). If f has opposite certain signs at the ends of T, it has one root
+/// between them; if it is negative at both, none. If f' has the same certain sign at both, f is monotone, and signs that are the
+/// same exclude a root.
+///
+/// Else let f' have opposite certain signs at the ends of T. Then f has exactly one critical point c in T, its minimum. Newton on f' encloses c in C: c ∈ m − f'(m)/f''(T). On C,
 /// |f'| ≤ max |f''|·w with w the width of C, so f(C) ⊆ f(m) ± max |f''|·w².
 ///
 /// - f(C) > 0: no root.
@@ -68,12 +71,23 @@ pub(crate) fn tangent<P: Packet>(
         nonzero(p, &f.d[2]),
     );
     let up = p.lt(zero, f.d[2].lo);
+    let mut brackets = Brackets::none(p);
+    let any_slope = any_slope(p);
+    let one = p.and(bent, ends.change(p));
+    let rising = p.lt(ends.lo.hi, zero);
+    brackets.put(p, one, t, &any_slope, rising, t.hi);
+    let hangs = p.and(up, rising);
+    let arches = p.and_not(p.lt(zero, ends.lo.lo), up);
+    let same = p.and(bent, ends.same(p));
+    let beyond = p.and(same, p.or(hangs, arches));
+    let bent = p.and_not(p.and_not(bent, one), beyond);
     let at_lo = field.slope(&Interval { lo: t.lo, hi: t.lo }, bent);
     let at_hi = field.slope(&Interval { lo: t.hi, hi: t.hi }, bent);
     let turn = Ends {
         lo: at_lo.d[1],
         hi: at_hi.d[1],
     };
+    let monotone = p.and(same, turn.same(p));
     let proved = p.and(bent, turn.change(p));
 
     let mut c = *t;
@@ -130,10 +144,6 @@ pub(crate) fn tangent<P: Packet>(
     let falls_in = p.and(below, p.lt(zero, left.lo));
     let not_left = p.and(below, p.lt(left.hi, zero));
     let climbs_out = p.and(not_left, p.lt(zero, right.lo));
-    let dips = p.and(not_left, p.lt(right.hi, zero));
-
-    let mut brackets = Brackets::none(p);
-    let any_slope = any_slope(p);
     let before = Interval { lo: t.lo, hi: c.lo };
     let behind = Interval { lo: c.hi, hi: t.hi };
     brackets.put(
@@ -161,7 +171,7 @@ pub(crate) fn tangent<P: Packet>(
         hi: p.min_f(p.add_ru(c.hi, radius), t.hi),
     };
     Found {
-        none: p.or(above, dips),
+        none: p.or(above, p.or(beyond, monotone)),
         brackets,
         tangent: p.and_not(p.and_not(proved, above), below),
         t: near,

@@ -20,7 +20,7 @@ pub enum Expected {
     Near(Why, f64, f64),
     /// A root or a change of sign, in an interval that may be this wide: what f64 can tell of f is not more.
     Hit(f64, f64),
-    /// Any number of events that are no roots, each undecided or a change of sign.
+    /// Any number of events that end no search.
     Noise,
     /// What is true is finer than some processor path can tell.
     Or(Box<Expected>, Box<Expected>),
@@ -68,7 +68,7 @@ impl Expected {
                 around(*at, *width)
             }
             (Expected::Noise, Verdict::Unresolved { why, .. }) => *why != Why::Budget,
-            (Expected::Noise, Verdict::Tangent { .. } | Verdict::Crossing { .. }) => true,
+            (Expected::Noise, _) => true,
             (Expected::Near(why, at, width), Verdict::Unresolved { why: w, .. }) => {
                 why == w && around(*at, *width)
             }
