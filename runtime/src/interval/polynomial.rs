@@ -1,16 +1,19 @@
 //! Polynomials in t over segments: Bernstein coefficients, from coefficients that are computed once per ray.
 //!
-//! Over [a, a + w] the polynomial f has the Bernstein coefficients b_j = Σ_i (j over i)/(n over i)·αᵢwⁱ, where αᵢ are the
-//! coefficients of f(a + s). All values of f lie between the least and the greatest of them; for the derivatives take
-//! those of αᵢ. What f is where its variable occurs often costs nothing here, and narrow segments lose nothing.
+//! Let γₖ = cₖ/(n over k), the coefficients in a scaled basis, and E the step from one coefficient to the next. In this basis
+//! f(a + s) has the coefficients αᵢ = (1 + aE)ⁿ⁻ⁱγᵢ, and over [a, a + w] the Bernstein coefficients (1 + wE)ʲα₀: two
+//! triangles of fused operations, without a power or a binomial. All values of f lie between the least and the greatest
+//! of the (1 + wE)ʲα₀, those of f' between those of n·(1 + wE)ʲα₁, those of f'' between those of n(n − 1)·(1 + wE)ʲα₂: they
+//! all stand in one triangle. What f is where its variable occurs often costs nothing here, and narrow segments lose nothing.
+//! (The triangles are de Casteljau's; see R. T. Farouki, *The Bernstein polynomial basis: a centennial retrospective*, 2012.)
 //!
 //! **Rounding.** All is computed to nearest, and bounded at once. The coefficients cₖ come with radii rₖ. A term cₖ is
-//! rounded at most n + 1 times by Horner's scheme for αᵢ (each step of it once with FMA, else twice), 3 times for the
-//! power of w and its weight n + 2 at most, and n times in the sums: less than 6n + 16 roundings of u = 2⁻⁵³ each. The
+//! rounded twice for γₖ, at most 2n times in each triangle (each step of it once with FMA, else twice), and once for
+//! the factor of a derivative: 4n + 3 roundings of u = 2⁻⁵³. The
 //! terms' absolute values sum up to no more than Σ |cₖ|σᵏ with σ = |a| + w, because Bernstein coefficients of a polynomial
 //! without negative coefficients grow with j, and the last is its value at the end. So f is within Σ ρₖσᵏ of what was
-//! computed, ρₖ = rₖ + (6n + 16)u|cₖ|, and its derivatives within the derivatives of that sum by σ. A product that
-//! underflows is off by 2⁻¹⁰⁷⁴, which the tiny part of ρₖ covers; w ≥ 2⁻⁸⁰, so that its powers do not.
+//! computed, ρₖ = rₖ + (4n + 12)u|cₖ|, and its derivatives within the derivatives of that sum by σ. An operation that
+//! underflows is off by 2⁻¹⁰⁷⁴, which the tiny part of ρₖ covers.
 
 use super::{Interval, Packet, Rounding, Routine};
 
@@ -18,17 +21,16 @@ use super::{Interval, Packet, Rounding, Routine};
 #[derive(Clone, Copy)]
 pub struct Polynomial<P: Packet, const N: usize> {
     middle: P::F,
+    /// Each over its binomial coefficient.
     c: [P::F; N],
     rho: [P::F; N],
 }
 
-/// The least width: its twelfth power is a normal number. A segment that is narrower is widened, below any rounding of t.
-const LEAST_WIDTH: f64 = 1.0 / ((1u128 << 80) as f64);
 /// Covers underflow; see above.
 const TINY: f64 = 1e-300;
 
 impl<P: Packet, const N: usize> Polynomial<P, N> {
-    /// The highest degree whose powers of w cannot underflow.
+    /// The highest degree that the triangles are written for.
     pub const MOST: usize = 12;
     /// Up to so many coefficients, code stands where it is used.
     const IN_PLACE: usize = 8;
@@ -40,14 +42,14 @@ impl<P: Packet, const N: usize> Polynomial<P, N> {
         let (half, tiny) = (p.splat(0.5), p.splat(TINY));
         // A little more: Σ ρₖσᵏ is rounded too.
         let more = p.splat(1.0 + 1.0 / (1u64 << 40) as f64);
-        let gamma = p.splat((6 * N + 16) as f64 * 0.5 * f64::EPSILON);
+        let gamma = p.splat((4 * N + 8) as f64 * 0.5 * f64::EPSILON);
         let mut made = Polynomial::zero(p);
         made.middle = middle;
         let mut k = 0;
         while k < N {
             let m = p.add_rn(p.mul_rn(half, c[k].lo), p.mul_rn(half, c[k].hi));
             let r = p.max_f(p.sub_ru(c[k].hi, m), p.sub_ru(m, c[k].lo));
-            made.c[k] = m;
+            made.c[k] = p.mul_rn(m, p.splat(const { weights::<N>() }[k]));
             if P::Rounding::ON {
                 made.rho[k] = p.fma_rn(p.fma_rn(p.abs_f(m), gamma, r), more, tiny);
             }
@@ -119,21 +121,16 @@ impl<P: Packet, const N: usize, const K: usize> Routine<P> for Ranges<'_, P, N, 
         let Ranges { of, t } = self;
         let a = p.sub_rd(t.lo, of.middle);
         let w = p.sub_ru(p.sub_ru(t.hi, of.middle), a);
-        let w = p.max_f(w, p.splat(LEAST_WIDTH));
         let errors = errors(p, &of.rho, p.add_ru(p.abs_f(a), w));
         let alpha = shifted(p, of.c, a);
-        let mut powers = [p.splat(1.0); N];
-        let mut i = 1;
-        while i < N {
-            powers[i] = p.mul_rn(powers[i - 1], w);
-            i += 1;
-        }
-        let mut hulls = [hull::<P, N, 0>(p, &alpha, &powers, errors[0]); K];
-        if K > 1 {
-            hulls[1] = hull::<P, N, 1>(p, &alpha, &powers, errors[1]);
-        }
-        if K > 2 {
-            hulls[2] = hull::<P, N, 2>(p, &alpha, &powers, errors[2]);
+        let (least, most) = extremes::<P, N, K>(p, alpha, w);
+        let mut hulls = [Hull::new(p, least[0], most[0], errors[0]); K];
+        let mut k = 1;
+        while k < K {
+            let scale = p.splat(const { scales::<N>() }[k]);
+            let (least, most) = (p.mul_rn(least[k], scale), p.mul_rn(most[k], scale));
+            hulls[k] = Hull::new(p, least, most, errors[k]);
+            k += 1;
         }
         hulls
     }
@@ -150,18 +147,21 @@ macro_rules! unrolled {
     };
 }
 
-/// The coefficients of f(a + s).
+/// The scaled coefficients of f(a + s).
 #[inline(always)]
 fn shifted<P: Packet, const N: usize>(p: P, mut c: [P::F; N], a: P::F) -> [P::F; N] {
-    unrolled!(FIRST => {
-        unrolled!(BACK => {
-            if FIRST + BACK + 1 < N {
-                let j = N - 2 - BACK;
-                c[j] = p.fma_rn(c[j + 1], a, c[j]);
-            }
-        });
-    });
+    unrolled!(J => { row::<P, N, J>(p, &mut c, a) });
     c
+}
+
+/// One row of a triangle: those that have J + 1 neighbours behind them take a step.
+#[inline(always)]
+fn row<P: Packet, const N: usize, const J: usize>(p: P, c: &mut [P::F; N], step: P::F) {
+    unrolled!(I => {
+        if I + J + 1 < N {
+            c[I] = p.fma_rn(c[I + 1], step, c[I]);
+        }
+    });
 }
 
 /// Σ ρₖσᵏ and its first two derivatives by σ.
@@ -179,57 +179,70 @@ fn errors<P: Packet, const N: usize>(p: P, rho: &[P::F; N], sigma: P::F) -> [P::
     [e0, e1, p.add_rn(e2, e2)]
 }
 
-/// The range of the k-th derivative: the hull of its Bernstein coefficients, widened by the error.
+/// The least and the greatest (1 + wE)ʲαₖ, for k below K.
 #[inline(always)]
-fn hull<P: Packet, const N: usize, const K: usize>(
+fn extremes<P: Packet, const N: usize, const K: usize>(
     p: P,
-    alpha: &[P::F; N],
-    powers: &[P::F; N],
-    error: P::F,
-) -> Hull<P> {
-    // The forward differences of the Bernstein coefficients at the first one.
-    let mut d = [p.splat(0.0); N];
-    unrolled!(I => {
-        if I + K < N {
-            let weight = falling(I + K, K) / binomial(N - 1 - K, I);
-            d[I] = p.mul_rn(alpha[I + K], p.mul_rn(powers[I], p.splat(weight)));
-        }
-    });
-    let (mut least, mut most) = (d[0], d[0]);
+    mut c: [P::F; N],
+    w: P::F,
+) -> ([P::F; K], [P::F; K]) {
+    let mut least = [p.splat(0.0); K];
+    let mut k = 0;
+    while k < K && k < N {
+        least[k] = c[k];
+        k += 1;
+    }
+    let mut most = least;
     unrolled!(J => {
-        unrolled!(I => {
-            if J != 0 && I + J + K < N {
-                d[I] = p.add_rn(d[I], d[I + 1]);
+        row::<P, N, J>(p, &mut c, w);
+        unrolled!(I in 0 1 2 => {
+            if I < K && I + J + 1 < N {
+                // A NaN stays in c, and is what remains in the end.
+                least[I] = p.min_f(least[I], c[I]);
+                most[I] = p.max_f(most[I], c[I]);
             }
         });
-        if J != 0 && J + K < N {
-            // A NaN stays in d[0], and is what remains in the end.
-            least = p.min_f(least, d[0]);
-            most = p.max_f(most, d[0]);
-        }
     });
-    let spread = p.sub_rn(most, least);
-    Hull {
-        range: Interval {
-            lo: p.sub_rd(least, error),
-            hi: p.add_ru(most, error),
-        },
-        finite: p.lt(p.add_rn(spread, error), p.splat(f64::INFINITY)),
-        sharp: p.lt(p.add_rn(error, error), spread),
+    (least, most)
+}
+
+impl<P: Packet> Hull<P> {
+    /// From the least and the greatest coefficient, and how far off they are.
+    #[inline(always)]
+    fn new(p: P, least: P::F, most: P::F, error: P::F) -> Self {
+        let spread = p.sub_rn(most, least);
+        Hull {
+            range: Interval {
+                lo: p.sub_rd(least, error),
+                hi: p.add_ru(most, error),
+            },
+            finite: p.lt(p.add_rn(spread, error), p.splat(f64::INFINITY)),
+            sharp: p.lt(p.add_rn(error, error), spread),
+        }
     }
+}
+
+/// The factors of f, f' and f'': 1, n and n(n − 1), n = N − 1.
+const fn scales<const N: usize>() -> [f64; 3] {
+    [1.0, falling(N - 1, 1), falling(N - 1, 2)]
+}
+
+/// 1/(n over k), n = N − 1.
+const fn weights<const N: usize>() -> [f64; N] {
+    let (mut all, mut k) = ([1.0; N], 0);
+    while k < N {
+        all[k] = falling(k, k) / falling(N - 1, k);
+        k += 1;
+    }
+    all
 }
 
 /// n·(n − 1)·… of k factors.
 const fn falling(n: usize, k: usize) -> f64 {
     let (mut product, mut i) = (1.0, 0);
     while i < k {
-        product *= (n - i) as f64;
+        product *= n as f64 - i as f64;
         i += 1;
     }
     product
-}
-
-/// n over k.
-const fn binomial(n: usize, k: usize) -> f64 {
-    falling(n, k) / falling(k, k)
 }
