@@ -48,6 +48,21 @@ implicit! {
     max(min(body, posts), -holes) = 0
 }
 
+// Blends, which are 0 where one of their parts is far away: what makes them is used on sides of two choices.
+implicit! {
+    struct Blend;
+    let ball = sqrt((x - 0.5)^2 + y^2 + z^2) - 0.25;
+    let bar = max(sqrt(y^2 + z^2) - 0.12, abs(x) - 0.8);
+    let ring = sqrt((sqrt(x^2 + y^2) - 0.6)^2 + z^2) - 0.1;
+    let dent = sqrt(x^2 + (y - 0.1)^2 + z^2) - 0.2;
+    let h = max(0.1 - abs(ball - bar), 0);
+    let one = min(ball, bar) - 2.5*h*h;
+    let k = max(0.1 - abs(one - ring), 0);
+    let two = min(one, ring) - 2.5*k^2;
+    let d = max(0.05 - abs(two + dent), 0);
+    max(two, -dent) + 5*d*d + d^3/9 = 0
+}
+
 // A polynomial that is kept by its coefficients, cut off.
 implicit! {
     struct Cut;
@@ -94,6 +109,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("balls", within(Scene::new().with(Balls { rows: rows(48) }))),
         ("gem", within(Scene::new().with(Gem { rows: rows(48) }))),
         ("part", within(Scene::new().with(Part))),
+        ("blend", within(Scene::new().with(Blend))),
         ("cut", within(Scene::new().with(Cut))),
         ("step", within(Scene::new().with(Step))),
         ("partial", within(Scene::new().with(Partial))),

@@ -9,7 +9,7 @@ use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::tree::FoldKind;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// Turns nodes into code.
 pub trait Target {
@@ -42,6 +42,10 @@ pub trait Target {
     }
     /// The variables that a node's code declares, each with what stands for it where it is not computed.
     fn declared(&self, _id: Id, _value: &Self::Value) -> Vec<(Ident, TokenStream)> {
+        Vec::new()
+    }
+    /// The variables in which a value stands.
+    fn names(&self, _value: &Self::Value) -> Vec<Ident> {
         Vec::new()
     }
     /// Work after the loop on an accumulator.
@@ -77,32 +81,60 @@ struct Block<'a, T: Target> {
     known: &'a mut HashMap<Id, T::Value>,
 }
 
-/// Code in a row that is guarded by one side.
-#[derive(Default)]
-struct Guarded {
-    side: Option<Side>,
-    code: TokenStream,
-    declared: Vec<(Ident, TokenStream)>,
+/// The nodes that use each node, in a block and in its loops.
+struct Uses {
+    by: HashMap<Id, HashSet<Id>>,
+    targets: HashSet<Id>,
 }
 
-impl Guarded {
-    /// Goes on with code on this side.
-    fn open(&mut self, side: Side, out: &mut TokenStream) {
-        if self.side != Some(side) {
-            self.close(out);
-            self.side = Some(side);
-        }
+impl Uses {
+    /// Is a node used by others than these?
+    fn outside(&self, id: Id, these: &HashSet<Id>) -> bool {
+        let used = |by: &HashSet<Id>| !by.is_subset(these);
+        self.targets.contains(&id) || self.by.get(&id).is_some_and(used)
     }
+}
 
-    fn close(&mut self, out: &mut TokenStream) {
-        if let Some(of) = self.side.take() {
-            let (of, code) = (side(of), std::mem::take(&mut self.code));
-            let (names, nothing): (Vec<_>, Vec<_>) = self.declared.drain(..).unzip();
-            out.extend(quote! {
-                let (#(#names,)*) = if #of { #code (#(#names,)*) } else { (#(#nothing,)*) };
-            });
+/// An order in which operands come first, and nodes with the same guard in a row: as they come, if none has a guard. What can be
+/// computed now is taken in the order of the ids, but guarded nodes, if possible, only when all with their guard can be.
+fn runs(graph: &Graph, mut nodes: Vec<(Id, Option<Side>)>) -> Vec<(Option<Side>, Vec<Id>)> {
+    let mut runs = Vec::new();
+    while !nodes.is_empty() {
+        let waiting: HashSet<Id> = nodes.iter().map(|(id, _)| *id).collect();
+        let guards: BTreeSet<Option<Side>> = nodes.iter().map(|(_, guard)| *guard).collect();
+        let able = guards
+            .into_iter()
+            .map(|guard| (guard, able(graph, &nodes, guard, &waiting)));
+        let all = |guard| nodes.iter().filter(|(_, g)| *g == guard).count();
+        let best = able.min_by_key(|(guard, run)| {
+            let part = guard.is_some() && run.len() < all(*guard);
+            (run.is_empty(), part, run.first().copied())
+        });
+        let Some((guard, run)) = best.filter(|(_, run)| !run.is_empty()) else {
+            // Operands come first by their ids: there is always one that can be computed.
+            break;
+        };
+        nodes.retain(|(id, _)| !run.contains(id));
+        runs.push((guard, run));
+    }
+    runs
+}
+
+/// The nodes with this guard that can be computed in a row, now.
+fn able(
+    graph: &Graph,
+    nodes: &[(Id, Option<Side>)],
+    guard: Option<Side>,
+    waiting: &HashSet<Id>,
+) -> Vec<Id> {
+    let mut run: Vec<Id> = Vec::new();
+    for (id, _) in nodes.iter().filter(|(_, g)| *g == guard) {
+        let ready = |operand: Id| !waiting.contains(&operand) || run.contains(&operand);
+        if operands(graph.op(*id)).into_iter().all(ready) {
+            run.push(*id);
         }
     }
+    run
 }
 
 /// The folds that one loop computes: the same fold, after the same loops of this block.
@@ -112,33 +144,69 @@ impl<T: Target> Block<'_, T> {
     fn run(&mut self, targets: &[Id], out: &mut TokenStream) {
         let here = self.needed(targets, out);
         let phases = self.phases(&here);
+        let uses = self.uses(targets);
         let last = phases.values().copied().max().unwrap_or(0);
         for phase in 0..=last {
             let mut loops = Loops::new();
-            let mut guarded = Guarded::default();
+            let mut plain = Vec::new();
             for &id in here.iter().filter(|id| phases.get(id) == Some(&phase)) {
                 match self.graph.op(id) {
                     Op::Fold(_, fold, _) => loops.entry((phase, *fold)).or_default().push(id),
-                    _ => match self.guard(id) {
-                        None => {
-                            guarded.close(out);
-                            self.operation(id, out);
-                        }
-                        Some(side) => {
-                            guarded.open(side, out);
-                            self.operation(id, &mut guarded.code);
-                            if let Some(value) = self.known.get(&id) {
-                                guarded.declared.extend(self.target.declared(id, value));
-                            }
-                        }
-                    },
+                    _ => plain.push((id, self.guard(id))),
                 }
             }
-            guarded.close(out);
+            for (guard, run) in runs(self.graph, plain) {
+                match guard {
+                    None => run.iter().for_each(|id| self.operation(*id, out)),
+                    Some(guard) => self.guarded(guard, &run, &uses, out),
+                }
+            }
             for ((_, fold), ids) in loops {
                 self.emit_loop(fold, &ids, out);
             }
         }
+    }
+
+    /// Nodes that one side guards. What is used behind them is declared in front; the others are forgotten.
+    fn guarded(&mut self, guard: Side, run: &[Id], uses: &Uses, out: &mut TokenStream) {
+        let (mut code, mut declared) = (TokenStream::new(), Vec::new());
+        for &id in run {
+            self.operation(id, &mut code);
+            if let Some(value) = self.known.get(&id) {
+                declared.extend(self.target.declared(id, value));
+            }
+        }
+        let inside: HashSet<Id> = run.iter().copied().collect();
+        let mut lasting = HashSet::new();
+        for id in run {
+            match self.known.get(id) {
+                Some(value) if uses.outside(*id, &inside) => {
+                    lasting.extend(self.target.names(value))
+                }
+                _ => _ = self.known.remove(id),
+            }
+        }
+        declared.retain(|(name, _)| lasting.contains(name));
+        let (names, nothing): (Vec<_>, Vec<_>) = declared.into_iter().unzip();
+        let of = side(guard);
+        out.extend(quote! {
+            let (#(#names,)*) = if #of { #code (#(#names,)*) } else { (#(#nothing,)*) };
+        });
+    }
+
+    fn uses(&self, targets: &[Id]) -> Uses {
+        let mut uses = Uses {
+            by: HashMap::new(),
+            targets: targets.iter().copied().collect(),
+        };
+        for id in self.graph.reachable(targets, |id| self.target.ready(id)) {
+            if !self.target.ready(id) {
+                for operand in operands(self.graph.op(id)) {
+                    uses.by.entry(operand).or_default().insert(id);
+                }
+            }
+        }
+        uses
     }
 
     /// The nodes of this block's scope that are still to be computed, also those that only a loop's body needs.

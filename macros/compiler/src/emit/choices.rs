@@ -1,18 +1,24 @@
 //! What need not be computed where a choice is decided: the side of a minimum, a maximum or an `if` that does not matter.
 //!
-//! A choice compares two numbers. On one *side* of it the first is less, on the other it is not. A node that is only used on
-//! one side is *guarded* by that side, and computed where the side is alive: where the choice is open, or decided for it, and
-//! the side that the choice itself stands on is alive.
+//! A choice compares two numbers. On one *side* of it the first is less, on the other it is not. A side is alive where the choice
+//! is open, or decided for it, and what guards the choice itself is alive. A node that is only used on some sides is *guarded*
+//! by their union, and computed where one of them is alive. So is a node that is 0 unless a side is alive, as the smooth
+//! part of a blend is: it is 0 where it is not computed.
 
+use crate::exact::Rational;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::stage::Staged;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// A side: twice the choice's number, and one more where the first number is not less.
+/// A side: twice the choice's number, and one more where the first number is not less. Behind the sides come unions of
+/// them.
 pub type Side = usize;
+
+/// A union has no more sides than this: it is widened to what guards them.
+const MOST: usize = 4;
 
 /// The choices of a formula's segment stage.
 #[derive(Debug, Default)]
@@ -21,8 +27,12 @@ pub struct Choices {
     pairs: Vec<(Id, Id)>,
     /// Is there a minimum or maximum of them?
     extreme: Vec<bool>,
-    /// The side that each choice stands on.
+    /// What guards each choice.
     within: Vec<Option<Side>>,
+    /// The nodes that are 0 unless a side is alive.
+    zeros: HashMap<Id, Side>,
+    /// The unions, each with its sides.
+    unions: Vec<BTreeSet<Side>>,
     /// The guarded nodes of the segment stage, and those that leaves are made of.
     guards: HashMap<Id, Side>,
     shapes: HashMap<Id, Side>,
@@ -87,7 +97,7 @@ impl Choices {
                     .any(|id| pair(graph, *id) == Some(*of))
             })
             .collect();
-        for _ in 0..8 {
+        for _ in 0..16 {
             choices.guards = choices.guarded(graph, &nodes, &roots, &ready);
             let within = choices.standing(graph, &nodes);
             if within == choices.within {
@@ -99,6 +109,9 @@ impl Choices {
         if choices.standing(graph, &nodes) != choices.within || !choices.has_order() {
             return Choices::default();
         }
+        // What guards a choice is known: from here on nodes may be narrowed to its sides.
+        choices.zeros = choices.vanishing(graph, &nodes);
+        choices.guards = choices.guarded(graph, &nodes, &roots, &ready);
         choices.shapes = choices.of_leaves(graph, staged, &nodes);
         choices
     }
@@ -132,23 +145,42 @@ impl Choices {
         self.pairs.iter().position(|p| *p == pair)
     }
 
-    /// Declares the sides, each a `bool`: whether it is alive, as `active` says.
+    /// Declares the sides and their unions, each a `bool`: whether it is alive, as `active` says.
     pub fn declare(&self, active: &TokenStream) -> TokenStream {
         if self.is_empty() {
             return TokenStream::new();
         }
-        let mut order: Vec<usize> = (0..self.pairs.len()).collect();
-        order.sort_by_key(|k| self.depth(*k));
-        let sides = order.into_iter().map(|k| {
+        let mut declared = HashSet::new();
+        let mut out = TokenStream::new();
+        for k in self.order() {
             let (first, second) = (side(2 * k), side(2 * k + 1));
             let number = Literal::usize_unsuffixed(k);
             let outer = self.within[k].map(|s| {
+                self.declare_union(s, &mut declared, &mut out);
                 let s = side(s);
                 quote!(let (#first, #second) = (#s & #first, #s & #second);)
             });
-            quote!(let (#first, #second) = #active.sides(#number); #outer)
-        });
-        quote!(#(#sides)*)
+            out.extend(quote!(let (#first, #second) = #active.sides(#number); #outer));
+        }
+        let guards: BTreeSet<Side> = self
+            .guards
+            .values()
+            .chain(self.shapes.values())
+            .copied()
+            .collect();
+        for guard in guards {
+            self.declare_union(guard, &mut declared, &mut out);
+        }
+        out
+    }
+
+    /// Declares a union, if it is one and not declared yet, behind its sides.
+    fn declare_union(&self, of: Side, declared: &mut HashSet<Side>, out: &mut TokenStream) {
+        if of >= 2 * self.pairs.len() && declared.insert(of) {
+            let name = side(of);
+            let sides = self.sides(of).into_iter().map(side);
+            out.extend(quote!(let #name = #(#sides)|*;));
+        }
     }
 
     /// Each choice, and the numbers that it compares.
@@ -156,30 +188,103 @@ impl Choices {
         self.pairs.iter().copied().enumerate().take(self.count())
     }
 
-    /// The sides that a side stands on, from itself outward.
-    fn outward(&self, from: Option<Side>) -> impl Iterator<Item = Side> {
-        let outer = |s: &Side| self.within.get(s / 2).copied().flatten();
-        // As many as there are choices at most: more would be a circle.
-        std::iter::successors(from, outer).take(self.pairs.len() + 1)
+    /// The sides of a union, or the side.
+    fn sides(&self, of: Side) -> BTreeSet<Side> {
+        let union = of.checked_sub(2 * self.pairs.len());
+        match union.and_then(|number| self.unions.get(number)) {
+            Some(sides) => sides.clone(),
+            None => BTreeSet::from([of]),
+        }
     }
 
+    /// The sides that guard the choice of a side.
+    fn around(&self, side: Side) -> Option<BTreeSet<Side>> {
+        let guard = self.within.get(side / 2).copied().flatten()?;
+        Some(self.sides(guard))
+    }
+
+    /// Is one of `set` alive wherever this side is? Yes, if each way outward meets the set.
+    fn covers(&self, set: &BTreeSet<Side>, side: Side) -> bool {
+        let (mut todo, mut seen) = (vec![side], HashSet::new());
+        while let Some(side) = todo.pop() {
+            if set.contains(&side) || !seen.insert(side) {
+                continue;
+            }
+            match self.around(side) {
+                Some(outer) => todo.extend(outer),
+                None => return false,
+            }
+        }
+        true
+    }
+
+    /// Alive where one of the two is; `None` is alive everywhere.
+    fn either(&mut self, a: Option<Side>, b: Option<Side>) -> Option<Side> {
+        let mut set = self.sides(a?);
+        set.extend(self.sides(b?));
+        loop {
+            let both = set.iter().find(|s| set.contains(&(*s ^ 1))).copied();
+            let many = || set.iter().max_by_key(|s| self.depth(**s / 2)).copied();
+            let wide = both.or_else(|| many().filter(|_| set.len() > MOST));
+            let within = |s: &Side| {
+                let mut others = set.clone();
+                others.remove(s) && self.covers(&others, *s)
+            };
+            if let Some(inner) = set.iter().find(|s| within(s)).copied() {
+                set.remove(&inner);
+            } else if let Some(wide) = wide {
+                set.extend(self.around(wide)?);
+                set.remove(&wide);
+                if both.is_some() {
+                    set.remove(&(wide ^ 1));
+                }
+            } else {
+                return self.union(set);
+            }
+        }
+    }
+
+    /// The number of a union.
+    fn union(&mut self, set: BTreeSet<Side>) -> Option<Side> {
+        if set.len() == 1 {
+            return set.first().copied();
+        }
+        let known = self.unions.iter().position(|u| *u == set);
+        let number = known.unwrap_or_else(|| {
+            self.unions.push(set);
+            self.unions.len() - 1
+        });
+        Some(2 * self.pairs.len() + number)
+    }
+
+    /// How many choices guard this one, one inside the other; as many as there are where that is a circle.
     fn depth(&self, choice: usize) -> usize {
-        self.outward(self.within[choice]).count()
+        let (mut depth, mut level) = (0, BTreeSet::from([choice]));
+        while depth <= self.pairs.len() {
+            let outer = level.iter().filter_map(|k| self.around(2 * k)).flatten();
+            level = outer.map(|side| side / 2).collect();
+            if level.is_empty() {
+                break;
+            }
+            depth += 1;
+        }
+        depth
     }
 
-    /// Does no choice stand on a side of its own?
+    /// The choices, each behind those that guard it.
+    fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.pairs.len()).collect();
+        order.sort_by_cached_key(|k| self.depth(*k));
+        order
+    }
+
+    /// Does no choice guard itself?
     fn has_order(&self) -> bool {
         (0..self.pairs.len()).all(|k| self.depth(k) <= self.pairs.len())
     }
 
-    /// The innermost side on which both are.
-    fn common(&self, a: Option<Side>, b: Option<Side>) -> Option<Side> {
-        let others: Vec<Side> = self.outward(b).collect();
-        self.outward(a).find(|s| others.contains(s))
-    }
-
-    /// The side that each choice stands on: what is common to all nodes that make it.
-    fn standing(&self, graph: &Graph, nodes: &[Id]) -> Vec<Option<Side>> {
+    /// What guards each choice: what is alive where any node that makes it is.
+    fn standing(&mut self, graph: &Graph, nodes: &[Id]) -> Vec<Option<Side>> {
         let mut within: Vec<Option<Option<Side>>> = vec![None; self.pairs.len()];
         for &id in nodes {
             let own = pair(graph, id).and_then(|p| self.pairs.iter().position(|q| *q == p));
@@ -187,16 +292,16 @@ impl Choices {
                 let guard = self.guards.get(&id).copied();
                 within[k] = Some(match within[k] {
                     None => guard,
-                    Some(known) => self.common(known, guard),
+                    Some(known) => self.either(known, guard),
                 });
             }
         }
         within.into_iter().map(Option::flatten).collect()
     }
 
-    /// Users come after what they use: from the last node to the first, each is guarded by what is common to its uses.
+    /// Users come after what they use: from the last node to the first, each is guarded by the union of its uses.
     fn guarded(
-        &self,
+        &mut self,
         graph: &Graph,
         nodes: &[Id],
         roots: &[Id],
@@ -207,7 +312,8 @@ impl Choices {
             let top = graph.info(id).scope == Scope::default();
             let fold = matches!(graph.op(id), Op::Fold(..));
             let own = if top && !fold {
-                uses.get(&id).copied().flatten()
+                let own = uses.get(&id).copied().flatten();
+                self.narrowed(id, own)
             } else {
                 None
             };
@@ -218,13 +324,56 @@ impl Choices {
             for (operand, side) in self.used(graph, id) {
                 let guard = side.or(own);
                 let known = uses.get(&operand).copied();
-                let guard = known.map_or(guard, |known| self.common(known, guard));
+                let guard = known.map_or(guard, |known| self.either(known, guard));
                 uses.insert(operand, guard);
             }
         }
+        // What a stage finds ready is there at no cost.
         uses.into_iter()
+            .filter(|(id, _)| graph.varies(*id))
             .filter_map(|(id, side)| Some((id, side?)))
             .collect()
+    }
+
+    /// What guards a node, if it is 0 unless a side is alive that lies inside of what guards it otherwise.
+    fn narrowed(&self, id: Id, own: Option<Side>) -> Option<Side> {
+        let Some(&side) = self.zeros.get(&id) else {
+            return own;
+        };
+        let inside = own.is_none_or(|own| self.covers(&self.sides(own), side));
+        if inside { Some(side) } else { own }
+    }
+
+    /// The nodes that are 0 unless a side is alive: choices of 0 on their other side, and products with such nodes. The
+    /// other factor must be so, too, or a number: else it could be undefined.
+    fn vanishing(&self, graph: &Graph, nodes: &[Id]) -> HashMap<Id, Side> {
+        let zero = |id: &Id| graph.literal(*id).is_some_and(Rational::is_zero);
+        let mut zeros: HashMap<Id, Side> = HashMap::new();
+        for &id in nodes {
+            if graph.info(id).scope != Scope::default() {
+                continue;
+            }
+            let of = |id: &Id| zeros.get(id).copied();
+            let side = match graph.op(id) {
+                Op::Negate(a) | Op::Power(a, _) => of(a),
+                Op::Multiply(a, b) if graph.literal(*a).is_some() => of(b),
+                Op::Multiply(a, b) | Op::Divide(a, b) if graph.literal(*b).is_some() => of(a),
+                Op::Multiply(a, b) | Op::Add(a, b) | Op::Subtract(a, b) => {
+                    of(a).filter(|side| of(b) == Some(*side))
+                }
+                op => {
+                    let choice =
+                        pair(graph, id).and_then(|p| self.pairs.iter().position(|q| *q == p));
+                    match (choice, branches(op)) {
+                        (Some(k), Some([_, no])) if zero(&no) => Some(2 * k),
+                        (Some(k), Some([yes, _])) if zero(&yes) => Some(2 * k + 1),
+                        _ => None,
+                    }
+                }
+            };
+            zeros.extend(side.map(|side| (id, side)));
+        }
+        zeros
     }
 
     /// The operands that a node uses, and the sides that it uses them on.
@@ -253,14 +402,14 @@ impl Choices {
             .collect()
     }
 
-    /// The guards of all that leaves are made of: of a leaf, what is common to its value and its derivatives.
-    fn of_leaves(&self, graph: &Graph, staged: &Staged, nodes: &[Id]) -> HashMap<Id, Side> {
+    /// The guards of all that leaves are made of: of a leaf, the union of its value's and its derivatives'.
+    fn of_leaves(&mut self, graph: &Graph, staged: &Staged, nodes: &[Id]) -> HashMap<Id, Side> {
         let mut uses: HashMap<Id, Option<Side>> = HashMap::new();
         for &id in nodes {
             if let Op::Leaf(_, _, node) = graph.op(id) {
                 let guard = self.guard(id);
                 let known = uses.get(node).copied();
-                let guard = known.map_or(guard, |known| self.common(known, guard));
+                let guard = known.map_or(guard, |known| self.either(known, guard));
                 uses.insert(*node, guard);
             }
         }
@@ -277,11 +426,13 @@ impl Choices {
             uses.insert(id, own);
             for operand in operands(graph.op(id)) {
                 let known = uses.get(&operand).copied();
-                let guard = known.map_or(own, |known| self.common(known, own));
+                let guard = known.map_or(own, |known| self.either(known, own));
                 uses.insert(operand, guard);
             }
         }
+        // What a stage finds ready is there at no cost.
         uses.into_iter()
+            .filter(|(id, _)| graph.varies(*id))
             .filter_map(|(id, side)| Some((id, side?)))
             .collect()
     }

@@ -151,6 +151,11 @@ impl Target for Enclosure<'_> {
             .collect()
     }
 
+    fn names(&self, value: &Value) -> Vec<Ident> {
+        let flags = value.flags.iter().cloned();
+        flags.chain([value.name.clone()]).collect()
+    }
+
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
         match self.stage {
             Stage::Surface => enter_fields(self.graph, self.fields, fold),

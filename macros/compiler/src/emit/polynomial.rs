@@ -108,6 +108,10 @@ impl Target for Polynomial<'_> {
         all.map(|name| (name, quote!(a.constant(&#zero)))).collect()
     }
 
+    fn names(&self, value: &Coefficients) -> Vec<Ident> {
+        value.clone()
+    }
+
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
         // A leaf holds the sum of all rows: which of them are active is a matter of loops over segments.
         enter_rows(self.graph, self.layout, fold, scope, false)
