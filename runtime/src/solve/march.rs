@@ -170,8 +170,9 @@ pub(super) fn march<C: Contractor, P: Packet>(
         let length = p.sub_rn(at.back, at.front);
         let long = p.lt(short, length);
         idle = p.select(long, zero, idle);
+        let tired = pace.tired(p, short, length, at.front, *field.spent);
+        let mut tired = p.and(tired, p.and(live, split));
         let crawls = p.and_not(p.and(live, split), stuck);
-        let mut tired = p.and(pace.tired(p, short, length, at.front, *field.spent), crawls);
         let slow = p.or(p.and(crawls, p.le(length, crawling)), again);
         if C::ORDER >= 2 && p.any(slow) {
             let jump = p.call(Crawl {

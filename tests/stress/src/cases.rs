@@ -63,7 +63,7 @@ cases! {
         along [-2.0, 0.0, 0.0], [1.0, 0.0, 0.0] => [Near(Why::Floor, 2.0, 1e-2)];
     "a triple root that no f64 is": (27*x^3 - 27*x^2 + 9*x = 1) in 1.0 along [-2.0, 0.0, 0.0], [1.0, 0.0, 0.0]
         => [
-            Near(Why::Floor, 7.0/3.0 - 5e-6, 1e-2).or_nothing(),
+            Near(Why::Floor, 7.0/3.0 - 5e-6, 1e-5).or_nothing(),
             Near(Why::Floor, 7.0/3.0, 1e-2),
         ];
     // Singular points.
