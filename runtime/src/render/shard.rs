@@ -37,14 +37,14 @@ pub(crate) struct Shard {
     pub statistics: Statistics,
 }
 
-/// Room for so many records at most is asked for at once: 20 MB, of which only what is written costs anything.
+/// Room for so many records at most is asked for at once: 25 MB, of which only what is written costs anything.
 const ROOM: usize = 1 << 16;
 
 impl Shard {
     /// For about so many blocks.
     pub fn with_room(blocks: usize) -> Self {
         Shard {
-            records: Vec::with_capacity((blocks * TILES_OF_BLOCK * PACKETS / 2).min(ROOM)),
+            records: Vec::with_capacity((blocks * TILES_OF_BLOCK * PACKETS).min(ROOM)),
             tiles: Vec::with_capacity((blocks * TILES_OF_BLOCK).min(ROOM)),
             ..Shard::default()
         }

@@ -80,15 +80,18 @@ fn attainable<P: Packet>(p: P, fx: &Interval<P::F>, slope: P::F) -> P::F {
     p.select(p.lt(noise, p.splat(WIDE)), noise, p.splat(0.0))
 }
 
-/// Plain Newton from `x`, kept inside the bracket by the signs that it sees; the result is a place and the derivative
-/// there. Nothing that it does can be wrong: it is only where to look.
+/// From `x` in plain floats, kept inside the bracket by the signs that it sees; the result is a place and the derivative
+/// there. Nothing that it does can be wrong: it is only where to look. The first step is Newton's; later ones go to the zero
+/// of the cubic in f through the last two places with their derivatives, where it is inside.
 #[inline(always)]
 fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F) -> (P::F, P::F) {
     let p = field.p;
     let zero = p.splat(0.0);
     let Interval { mut lo, mut hi } = brackets.t;
-    // What is left behind a step is in proportion to its square: a few ulp.
+    // What is left behind a step is in proportion to its square, or to its square and that of the step before: a few ulp.
     let close = p.mul_rn(hi, p.splat(1.0 / (1u64 << 26) as f64));
+    let mut before = Seen::nowhere(p);
+    let mut reach = hi;
     let mut x = x;
     let mut slope = zero;
     let mut open = brackets.found;
@@ -100,19 +103,60 @@ fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F
         let d = p.select(brackets.rising, d, p.neg_f(d));
         lo = p.select(p.lt(f, zero), p.max_f(x, lo), lo);
         hi = p.select(p.lt(zero, f), p.min_f(x, hi), hi);
-        let next = p.sub_rn(x, p.div_rn(f, d));
+        let here = Seen { x, f, by: p.div_rn(p.splat(1.0), d) };
+        let newton = p.sub_rn(x, p.mul_rn(f, here.by));
+        let (mut next, mut usable) = (newton, p.none());
+        if round > 0 {
+            let cubic = here.zero_with(p, &before);
+            usable = p.and(p.lt(lo, cubic), p.lt(cubic, hi));
+            next = p.select(usable, cubic, newton);
+        }
         let inside = p.and(p.le(lo, next), p.le(next, hi));
-        let half = middle(p, &Interval { lo, hi });
-        let next = p.select(inside, next, half);
+        // The end of a bracket is often next to the root.
+        let instead = if round % 2 == 0 {
+            p.max_f(p.min_f(newton, hi), lo)
+        } else {
+            middle(p, &Interval { lo, hi })
+        };
+        let next = p.select(inside, next, instead);
         let step = p.abs_f(p.sub_rn(next, x));
+        let order = p.select(usable, p.mul_rn(step, p.div_rn(reach, brackets.t.hi)), step);
         x = p.select(open, next, x);
-        open = p.and_not(open, p.le(step, close));
+        open = p.and_not(open, p.le(order, close));
         if !p.any(open) {
             break;
         }
+        (before, reach) = (here, step);
         round += 1;
     }
     (x, slope)
+}
+
+/// A place, f there and 1/f'.
+struct Seen<P: Packet> {
+    x: P::F,
+    f: P::F,
+    by: P::F,
+}
+
+impl<P: Packet> Seen<P> {
+    fn nowhere(p: P) -> Self {
+        let zero = p.splat(0.0);
+        Seen { x: zero, f: zero, by: zero }
+    }
+
+    /// Where the cubic polynomial x(f) through both places, with its derivatives there, has f = 0: Hermite's interpolation.
+    #[inline(always)]
+    fn zero_with(&self, p: P, before: &Self) -> P::F {
+        let by = p.div_rn(p.splat(1.0), p.sub_rn(self.f, before.f));
+        let chord = p.mul_rn(p.sub_rn(self.x, before.x), by);
+        let here = p.mul_rn(p.sub_rn(self.by, chord), by);
+        let there = p.mul_rn(p.sub_rn(chord, before.by), by);
+        let third = p.mul_rn(p.sub_rn(here, there), by);
+        let second = p.sub_rn(here, p.mul_rn(before.f, third));
+        let first = p.sub_rn(self.by, p.mul_rn(self.f, second));
+        p.sub_rn(self.x, p.mul_rn(self.f, first))
+    }
 }
 
 /// The Newton image of the bracket: root ← root ∩ (x − f(x)/f'). It cannot be empty; an end that is not a number is not

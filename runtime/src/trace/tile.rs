@@ -101,8 +101,10 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             let first = cell * PACKETS_OF_CELL;
             missed |= u8::from(!hint.open) << cell;
             self.tile.full |= u8::from(hint.is_full()) << cell;
-            match &mut surface {
-                _ if !hint.open => continue,
+            if !hint.open {
+                continue;
+            }
+            let looked = match &mut surface {
                 Some(surface) if hint.single.is_none() => {
                     let part = (self.tile.corner_of(first), self.tile.packets_of(cell));
                     self.look(
@@ -112,12 +114,18 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                         (hint, rows),
                         &mut packets,
                     );
+                    true
                 }
-                _ => packets.know(hint, rows),
-            }
+                _ => false,
+            };
             for k in 0..PACKETS_OF_CELL {
-                if packets.hints[k].open {
-                    self.packet(first + k, &packets.hints[k], &packets.rows[k]);
+                let (hint, rows) = if looked {
+                    (&packets.hints[k], &packets.rows[k])
+                } else {
+                    (hint, rows)
+                };
+                if hint.open {
+                    self.packet(first + k, hint, rows);
                 }
             }
         }
