@@ -234,6 +234,19 @@ impl Active {
         if rough { &rest.rough } else { &rest.all }
     }
 
+    /// Are there fewer rows, or fewer open choices?
+    pub(crate) fn is_less_than(&self, other: &Active) -> bool {
+        let rows = |active: &Active| active.rows.iter().map(Vec::len).sum::<usize>();
+        let open = |active: &Active| {
+            active
+                .choices
+                .iter()
+                .filter(|c| **c == Choice::Open)
+                .count()
+        };
+        rows(self) < rows(other) || open(self) < open(other)
+    }
+
     /// Is there anything to choose?
     pub(crate) fn is_open(&self) -> bool {
         self.rows.iter().any(|rows| rows.len() > 1) || self.choices.contains(&Choice::Open)

@@ -11,6 +11,8 @@ pub(crate) struct Rows {
     pub reach: f64,
     /// … and everywhere.
     pub all: Active,
+    /// Could nothing be left out? Then narrower beams inside are not asked.
+    pub vain: bool,
 }
 
 impl Rows {
@@ -20,6 +22,7 @@ impl Rows {
             near: active.clone(),
             reach: f64::INFINITY,
             all: active,
+            vain: false,
         }
     }
 
@@ -28,5 +31,6 @@ impl Rows {
         self.near.clone_from(&from.near);
         self.reach = from.reach;
         self.all.clone_from(&from.all);
+        self.vain = from.vain;
     }
 }

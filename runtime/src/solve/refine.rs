@@ -103,7 +103,11 @@ fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F
         let d = p.select(brackets.rising, d, p.neg_f(d));
         lo = p.select(p.lt(f, zero), p.max_f(x, lo), lo);
         hi = p.select(p.lt(zero, f), p.min_f(x, hi), hi);
-        let here = Seen { x, f, by: p.div_rn(p.splat(1.0), d) };
+        let here = Seen {
+            x,
+            f,
+            by: p.div_rn(p.splat(1.0), d),
+        };
         let newton = p.sub_rn(x, p.mul_rn(f, here.by));
         let (mut next, mut usable) = (newton, p.none());
         if round > 0 {
@@ -142,7 +146,11 @@ struct Seen<P: Packet> {
 impl<P: Packet> Seen<P> {
     fn nowhere(p: P) -> Self {
         let zero = p.splat(0.0);
-        Seen { x: zero, f: zero, by: zero }
+        Seen {
+            x: zero,
+            f: zero,
+            by: zero,
+        }
     }
 
     /// Where the cubic polynomial x(f) through both places, with its derivatives there, has f = 0: Hermite's interpolation.

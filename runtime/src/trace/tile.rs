@@ -214,14 +214,16 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             active,
             bound: &mut self.bound,
         });
+        // A closed form needs no bracket.
+        let closed = self.settings.closed_forms && S::quadric(&self.bound).is_some();
         let known = match &hint.single {
-            Some(single) => {
+            Some(single) if !closed => {
                 let mut known = brackets(p, single, entry, &over, live);
                 let start = p.sub_rn(self.view.linear(p, corner, &single.plane), entry);
                 known.guess = p.min_f(p.max_f(start, known.t.lo), known.t.hi);
                 Some(known)
             }
-            None => None,
+            _ => None,
         };
         let single = known.as_ref().map_or(p.none(), |known| known.found);
         self.tile.counts.single += u64::from(p.bits(single).count_ones());

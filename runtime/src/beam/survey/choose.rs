@@ -47,6 +47,7 @@ impl<P: Packet> Surveyor<'_, P> {
             thin.choose(active, lane, &mut rows[lane].near);
             rows[lane].all.clone_from(&given.all);
             rows[lane].reach = reach[lane];
+            rows[lane].vain = !rows[lane].near.is_less_than(active);
             // Nothing is left out: it holds as far as before.
             if rows[lane].near == *active {
                 rows[lane].reach = if to_the_end {
