@@ -87,6 +87,17 @@ pub trait Surface: Send + Sync {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 4>;
+    /// As [`gradient`](Self::gradient), from the active rows alone: what the others add is not in it. So it is no enclosure
+    /// where any are left out.
+    #[inline(always)]
+    fn seen<A: Arithmetic>(
+        a: A,
+        prepared: &Self::Prepared,
+        _active: &Active,
+        point: [A::Value; 3],
+    ) -> Jet<A::Value, A::Packet, 4> {
+        Self::gradient(a, prepared, point)
+    }
     /// f, its gradient and its Hessian: `[f, f_x, f_y, f_z, f_xx, f_xy, f_xz, f_yy, f_yz, f_zz]`.
     fn hessian<A: Arithmetic>(
         a: A,

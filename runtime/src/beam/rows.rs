@@ -11,18 +11,35 @@ pub(crate) struct Rows {
     pub reach: f64,
     /// … and everywhere.
     pub all: Active,
-    /// Could nothing be left out? Then narrower beams inside are not asked.
-    pub vain: bool,
+    /// How often in a row nothing could be left out, from wider beams to narrower ones.
+    pub vain: u8,
 }
 
+/// So often is looked in vain before it is given up for the narrower beams inside.
+const PATIENCE: u8 = 2;
+
 impl Rows {
+    /// May it be worth a look which of them matter?
+    pub fn worthwhile(&self) -> bool {
+        self.vain < PATIENCE
+    }
+
     /// All that there are.
     pub fn everything(active: Active) -> Self {
         Rows {
             near: active.clone(),
             reach: f64::INFINITY,
             all: active,
-            vain: false,
+            vain: 0,
+        }
+    }
+
+    /// Those that matter up to a parameter, which counts from the camera.
+    pub fn at(&self, t: f64) -> &Active {
+        if t <= self.reach {
+            &self.near
+        } else {
+            &self.all
         }
     }
 

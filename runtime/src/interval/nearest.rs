@@ -14,7 +14,7 @@ impl<P: Packet> Arithmetic for Nearest<P> {
 
     #[inline(always)]
     fn constant(self, c: &Interval) -> P::F {
-        self.0.splat(c.mid())
+        self.0.splat(c.lo + 0.5 * (c.hi - c.lo))
     }
     #[inline(always)]
     fn clear(self) -> Flags<P> {

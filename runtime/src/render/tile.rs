@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use super::statistics::Area;
-use crate::beam::Grid;
+use crate::beam::{Grid, Rows};
 use crate::camera::{COLUMNS, Camera, ROWS, Sampling, plane};
 use crate::interval::Packet;
 use crate::ray::{Lines, clip};
@@ -105,6 +105,8 @@ pub(crate) struct Tile {
     pub packets: Vec<PacketRays>,
     /// The packets whose rays were made.
     pub entered: u64,
+    /// The rows of each surface's tables that matter in each cell.
+    pub rows: Vec<[Rows; CELLS]>,
     pub events: Vec<Event>,
     pub counts: Evaluations,
     /// Rays that do not meet the domain, of those that were made.
@@ -125,6 +127,7 @@ impl Default for Tile {
             domain: [[0.0; 3]; 2],
             packets,
             entered: 0,
+            rows: Vec::new(),
             events: Vec::new(),
             counts: Evaluations::default(),
             outside: 0,
@@ -223,6 +226,15 @@ impl Tile {
         self.counts = Evaluations::default();
         self.outside = 0;
         (self.missed, self.full) = (!0, 0);
+    }
+
+    /// The rows of a surface, by its number.
+    pub fn rows(&mut self, index: u16) -> &mut [Rows; CELLS] {
+        let index = usize::from(index);
+        if self.rows.len() <= index {
+            self.rows.resize_with(index + 1, Default::default);
+        }
+        &mut self.rows[index]
     }
 
     /// The pixels of the picture in a cell.

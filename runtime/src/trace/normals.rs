@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 
 use crate::interval::{Kernel, Nearest, Packet, Routine};
-use crate::render::tile::{PacketRays, Tile};
-use crate::surface::Surface;
+use crate::render::tile::{PACKETS_OF_CELL, PacketRays, Tile};
+use crate::surface::{Active, Surface};
 
 /// Unit normals, in plain floats, for the pixels that show the surface.
 pub(crate) struct NormalsOfTile<'a, S: Surface> {
@@ -28,6 +28,7 @@ impl<'a, S: Surface> NormalsOfTile<'a, S> {
 /// The gradient, a function of its own.
 struct Gradient<'a, S: Surface, P: Packet> {
     prepared: &'a S::Prepared,
+    active: &'a Active,
     point: &'a [P::F; 3],
 }
 
@@ -35,7 +36,7 @@ impl<S: Surface, P: Packet> Routine<P> for Gradient<'_, S, P> {
     type Output = [P::F; 4];
     #[inline(always)]
     fn call(self, p: P) -> [P::F; 4] {
-        S::gradient(Nearest(p), self.prepared, *self.point).d
+        S::seen(Nearest(p), self.prepared, self.active, *self.point).d
     }
 }
 
@@ -51,8 +52,11 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
             ..
         } = self;
         let mut entered = tile.entered;
+        // Operands of solids are seen with all of their rows.
+        let (rows, all) = (tile.rows.get(usize::from(index)), Active::default());
         while entered != 0 {
-            let packet = &mut tile.packets[entered.trailing_zeros() as usize];
+            let number = entered.trailing_zeros() as usize;
+            let packet = &mut tile.packets[number];
             entered &= entered - 1;
             let mut shown = packet.record.shown;
             for (lane, surface) in packet.record.surface.iter().enumerate() {
@@ -62,8 +66,12 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
                 continue;
             }
             let point = points(p, packet);
+            let active = rows.map_or(&all, |rows| {
+                rows[number / PACKETS_OF_CELL].at(farthest(packet, shown))
+            });
             let [_, x, y, z] = p.call(Gradient::<S, P> {
                 prepared,
+                active,
                 point: &point,
             });
             tile.counts.gradient += u64::from(shown.count_ones());
@@ -71,6 +79,15 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
             store(p, packet, [x, y, z], shown);
         }
     }
+}
+
+/// The last parameter of the roots that are shown.
+fn farthest(packet: &PacketRays, shown: u8) -> f64 {
+    let record = &packet.record;
+    let roots = (0..8).filter(|lane| shown >> lane & 1 != 0);
+    roots.fold(0.0, |last, lane| {
+        (record.entry[lane] + record.hi[lane]).max(last)
+    })
 }
 
 /// Where the shown roots are: from the entry, so that far cameras lose nothing.

@@ -129,6 +129,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                 }
             }
         }
+        core::mem::swap(&mut cells.rows, self.tile.rows(self.index));
         self.tile.missed &= missed;
         self.tile.counts.beams += cells.count + packets.count;
     }

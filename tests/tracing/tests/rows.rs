@@ -140,11 +140,19 @@ fn cameras() -> [Camera; 3] {
     ]
 }
 
+/// Normals in plain floats, whose last places may differ.
+fn alike(one: Option<[f32; 3]>, other: Option<[f32; 3]>) -> bool {
+    match (one, other) {
+        (Some(n), Some(m)) => (0..3).all(|k| (n[k] - m[k]).abs() < 1e-5),
+        (one, other) => one == other,
+    }
+}
+
 #[test]
 fn rows_left_out_change_no_verdict() {
     for isa in Isa::available() {
         for (name, scene) in scenes() {
-            let (mut hits, mut bound, mut decided) = (0, [0, 0], [0, 0]);
+            let (mut hits, mut turned, mut bound, mut decided) = (0, 0, [0, 0], [0, 0]);
             for camera in cameras() {
                 let mut options = Options::new(75, 66);
                 options.isa = Some(isa);
@@ -159,6 +167,7 @@ fn rows_left_out_change_no_verdict() {
                             assert!(s.lo <= t.hi && t.lo <= s.hi, "{name}: {s:?}, {t:?}");
                             assert!(s.hi - s.lo < 1e-11, "{name}: {s:?}");
                             hits += 1;
+                            turned += usize::from(!alike(p.normal, q.normal));
                         }
                         // What is open depends on enclosures, to the last places.
                         (one, other) => {
@@ -183,7 +192,9 @@ fn rows_left_out_change_no_verdict() {
                 bound[0], bound[1], decided[0]
             );
             assert_eq!(decided[1], 0);
-            let less = 10 * bound[0] < 9 * bound[1] || bound[1] == 0 && decided[0] > 1_000;
+            // On an edge the last places decide which side is seen.
+            assert!(1_000 * turned <= hits, "{name}: {turned} normals differ");
+            let less = 10 * bound[0] < 9 * bound[1] || bound[1] == 0 && decided[0] > 500;
             assert!(
                 hits > 1_000 && less,
                 "{name}: {hits}, {bound:?}, {decided:?}"

@@ -1,7 +1,7 @@
 //! The ray stage: leaves and polynomials along a packet's rays.
 
 use super::block::block;
-use super::folds::enter_rows;
+use super::folds::{Visit, enter_rows};
 use super::polynomial::{Coefficients, Polynomial, enter_active};
 use super::series::Series;
 use super::stages::Compiled;
@@ -163,7 +163,7 @@ impl Compiled<'_> {
         let mut loops = Vec::new();
         for fold in folds {
             around = around.union(Scope::of(fold));
-            let (header, start) = enter_rows(self.graph, self.layout, fold, around, false);
+            let (header, start) = enter_rows(self.graph, self.layout, fold, around, Visit::All);
             loops.push(match self.layout.active(fold) {
                 Some(list) => enter_active(fold, &list, start),
                 None => (header, start),

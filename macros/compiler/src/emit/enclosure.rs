@@ -2,7 +2,7 @@
 
 use super::block::Target;
 use super::choices::{Side, branches, side};
-use super::folds::{accumulator, enter_fields, enter_fine_rows, enter_rows};
+use super::folds::{Visit, accumulator, enter_fields, enter_fine_rows, enter_rows};
 use super::layout::Layout;
 use super::text::{flags, index, interval, number, variable};
 use crate::form::Form;
@@ -21,6 +21,8 @@ pub enum Stage {
     Segment,
     /// At points of space: surface values, coordinates, all rows.
     Space,
+    /// The same with the active rows.
+    Seen,
 }
 
 /// The target.
@@ -129,7 +131,7 @@ impl Target for Enclosure<'_> {
     fn guard(&self, id: Id) -> Option<Side> {
         match self.stage {
             Stage::Segment => self.layout.choices.guard(id),
-            Stage::Surface | Stage::Space => None,
+            Stage::Surface | Stage::Space | Stage::Seen => None,
         }
     }
 
@@ -159,9 +161,10 @@ impl Target for Enclosure<'_> {
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
         match self.stage {
             Stage::Surface => enter_fields(self.graph, self.fields, fold),
-            Stage::Segment => enter_rows(self.graph, self.layout, fold, scope, true),
+            Stage::Segment => enter_rows(self.graph, self.layout, fold, scope, Visit::Bound),
+            Stage::Seen => enter_rows(self.graph, self.layout, fold, scope, Visit::Active),
             Stage::Space => {
-                let (header, start) = enter_rows(self.graph, self.layout, fold, scope, false);
+                let (header, start) = enter_rows(self.graph, self.layout, fold, scope, Visit::All);
                 let fine = enter_fine_rows(self.layout, fold, scope);
                 (header, quote!(#start #fine))
             }

@@ -89,19 +89,34 @@ pub fn accumulator(
     }
 }
 
-/// A loop over rows of the prepared surface: all of them, or the active ones along a ray.
+/// Which rows of the prepared surface a loop visits.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Visit {
+    /// All of them.
+    All,
+    /// The active ones, with their leaves along a ray.
+    Bound,
+    /// The active ones, without leaves.
+    Active,
+}
+
+/// A loop over rows of the prepared surface.
 pub fn enter_rows(
     graph: &Graph,
     layout: &Layout,
     fold: usize,
     scope: Scope,
-    along_a_ray: bool,
+    visit: Visit,
 ) -> (TokenStream, TokenStream) {
     let (j, k) = (format_ident!("j{fold}"), format_ident!("k{fold}"));
-    let (header, mut start) = match layout.active(fold) {
-        Some(list) if along_a_ray => (
+    let (header, mut start) = match (layout.active(fold), visit) {
+        (Some(list), Visit::Bound) => (
             quote!(for #j in 0..bound.2.visited(#list, t.rough())),
             quote!(let #k = bound.2.rows[#list][#j] as __zeroset::primitive::usize;),
+        ),
+        (Some(list), Visit::Active) => (
+            quote!(for #j in 0..active.rows[#list].len()),
+            quote!(let #k = active.rows[#list][#j] as __zeroset::primitive::usize;),
         ),
         _ => {
             let length = layout.length(graph, fold);
@@ -113,7 +128,7 @@ pub fn enter_rows(
         let prepared = in_loops(layout.prepared_rows(index), "k", entered);
         let bound = in_loops(layout.bound_rows(index), "j", entered);
         start.extend(quote!(let #row = &#prepared;));
-        if along_a_ray {
+        if visit == Visit::Bound {
             start.extend(quote!(let #leaves = &#bound;));
         }
     }

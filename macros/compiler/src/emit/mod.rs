@@ -146,6 +146,7 @@ fn members(
         compiled.segment("curvature", 3),
     ];
     let space = [compiled.space("gradient", 4), compiled.space("hessian", 10)];
+    let seen = compiled.seen();
     let report = facts.constant(surface);
     let quadric = compiled.quadric();
     Ok(quote! {
@@ -162,6 +163,7 @@ fn members(
         #terms
         #(#segment)*
         #(#space)*
+        #seen
         #quadric
     })
 }

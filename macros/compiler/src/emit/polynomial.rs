@@ -2,7 +2,7 @@
 
 use super::block::Target;
 use super::choices::Side;
-use super::folds::enter_rows;
+use super::folds::{Visit, enter_rows};
 use super::layout::Layout;
 use super::text::{interval, variable};
 use crate::graph::{Graph, Id, Op, Scope};
@@ -114,7 +114,7 @@ impl Target for Polynomial<'_> {
 
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
         // A leaf holds the sum of all rows: which of them are active is a matter of loops over segments.
-        enter_rows(self.graph, self.layout, fold, scope, false)
+        enter_rows(self.graph, self.layout, fold, scope, Visit::All)
     }
 
     fn accumulate(

@@ -1,7 +1,7 @@
 //! The ray stage of polynomials of higher degree: their coefficients in t, by propagation through the graph as written.
 
 use super::block::Target;
-use super::folds::enter_rows;
+use super::folds::{Visit, enter_rows};
 use super::layout::Layout;
 use super::text::{interval, variable};
 use crate::graph::{Graph, Id, Op, Scope};
@@ -102,7 +102,7 @@ impl Target for Series<'_> {
     }
 
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream) {
-        enter_rows(self.graph, self.layout, fold, scope, false)
+        enter_rows(self.graph, self.layout, fold, scope, Visit::All)
     }
 
     fn accumulate(

@@ -155,6 +155,32 @@ impl Compiled<'_> {
         }
     }
 
+    /// `seen`: the gradient from the active rows, where rows can be left out.
+    pub fn seen(&self) -> TokenStream {
+        if self.layout.terms.is_empty() {
+            return TokenStream::new();
+        }
+        let targets: Vec<Id> = self.space.iter().take(4).copied().collect();
+        let (body, jet) = self.jet(
+            &mut self.enclosure(Stage::Seen),
+            &targets,
+            1,
+            HashMap::new(),
+        );
+        quote! {
+            #[inline(always)]
+            fn seen<A: __zeroset::Arithmetic>(
+                a: A,
+                prepared: &Self::Prepared,
+                active: &__zeroset::Active,
+                point: [A::Value; 3],
+            ) -> __zeroset::Jet<A::Value, A::Packet, 4> {
+                #body
+                #jet
+            }
+        }
+    }
+
     /// Code for a value and its derivatives, and the `Jet` of them. The first `values` targets are the function itself:
     /// only they can say that it is *empty*. `known` is there already.
     fn jet(

@@ -76,6 +76,11 @@ impl Terms {
         }
     }
 
+    /// Do all folds visit all of their rows?
+    pub fn is_empty(&self) -> bool {
+        self.lists.is_empty()
+    }
+
     /// How many sums may leave out rows.
     pub fn rests(&self) -> usize {
         self.sums.len()
