@@ -47,12 +47,11 @@ impl<P: Packet> Surveyor<'_, P> {
             thin.choose(active, lane, &mut rows[lane].near);
             rows[lane].all.clone_from(&given.all);
             rows[lane].reach = reach[lane];
-            rows[lane].vain = match rows[lane].near.is_less_than(active) {
-                true => 0,
-                false => given.vain + 1,
-            };
+            rows[lane].vain = 0;
             // Nothing is left out: it holds as far as before.
-            if rows[lane].near == *active {
+            if !rows[lane].near.is_less_than(active) {
+                rows[lane].near.clone_from(active);
+                rows[lane].vain = given.vain + 1;
                 rows[lane].reach = if to_the_end {
                     f64::INFINITY
                 } else {
