@@ -15,6 +15,8 @@ pub(super) struct Crawl<'b, 'f, P: Packet> {
     /// Where the search ends.
     pub end: P::F,
     pub lanes: P::M,
+    /// Those of them where it may be too early: they jump only where f seems to turn near 0.
+    pub early: P::M,
     /// Those of them where the march was stuck: it jumps away from a critical point behind it, too.
     pub stuck: P::M,
     pub events: &'b mut Events,
@@ -36,6 +38,7 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
             front,
             end,
             lanes,
+            early,
             stuck,
             events,
         } = self;
@@ -47,6 +50,7 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
         let far = p.min_f(p.add_rn(front, reach(p, &at, stuck)), end);
         // What is no number is not taken.
         let lanes = p.and(p.and(lanes, p.lt(front, far)), nonzero(p, &at.d[0]));
+        let lanes = p.and_not(lanes, p.and_not(early, turns_near_zero(p, &at)));
         let mut jump = Jump {
             jumped: p.none(),
             outcome: Outcome {
@@ -74,6 +78,15 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
         jump.outcome.met = found.tangent;
         jump
     }
+}
+
+/// Does the parabola with these derivatives turn at less than a quarter of f?
+#[inline(always)]
+fn turns_near_zero<P: Packet>(p: P, at: &Enclosed<P, 3>) -> P::M {
+    let [f, slope, bend] = at.d.map(|x| p.add_rn(x.lo, x.hi));
+    let fall = p.div_rn(p.mul_rn(slope, slope), p.add_rn(bend, bend));
+    let part = p.div_rn(p.sub_rn(f, fall), f);
+    p.lt(p.abs_f(part), p.splat(0.25))
 }
 
 /// Beyond what may lie ahead of a place where f, f' and f'' are about this: a guess, no claim. Where f bends away from 0,

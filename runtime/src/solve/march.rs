@@ -79,6 +79,9 @@ struct Pace<P: Packet> {
 /// The part of the budget that may go into one crawl. The rest is for what lies behind it.
 const PATIENCE: f64 = 0.5;
 
+/// So many splits more than segments that were passed are as good as short segments.
+const SPLITS: f64 = 3.0;
+
 /// Segments of this part of the search are too short for a march that gets on; shorter by 64 at each try that fails.
 const CRAWL: f64 = 1.0 / (1u64 << 14) as f64;
 
@@ -109,6 +112,9 @@ pub(super) fn march<C: Contractor, P: Packet>(
     // How often the march was stuck since it got on, and how often it must have been for a jump.
     let mut idle = zero;
     let mut enough = p.splat(2.0);
+    // How often segments were split, less how often they were passed; and how often they must have been for a jump.
+    let mut splits = zero;
+    let mut many = p.splat(SPLITS);
     let mut live = range.live;
     let mut found = Brackets::none(p);
     let mut memory = C::memory(p);
@@ -173,13 +179,18 @@ pub(super) fn march<C: Contractor, P: Packet>(
         let tired = pace.tired(p, short, length, at.front, *field.spent);
         let mut tired = p.and(tired, p.and(live, split));
         let crawls = p.and_not(p.and(live, split), stuck);
-        let slow = p.or(p.and(crawls, p.le(length, crawling)), again);
+        let counted = p.add_rn(splits, p.select(split, p.splat(1.0), p.splat(-1.0)));
+        splits = p.max_f(counted, zero);
+        let split_often = p.and(crawls, p.le(many, splits));
+        let sure = p.or(p.and(crawls, p.le(length, crawling)), again);
+        let slow = p.or(split_often, sure);
         if C::ORDER >= 2 && p.any(slow) {
             let jump = p.call(Crawl {
                 field,
                 front: at.front,
                 end,
                 lanes: slow,
+                early: p.and_not(split_often, sure),
                 stuck: again,
                 events,
             });
@@ -188,6 +199,8 @@ pub(super) fn march<C: Contractor, P: Packet>(
             tired = p.and_not(tired, jump.jumped);
             let shorter = p.mul_rn(length, p.splat(1.0 / 64.0));
             crawling = p.select(slow, p.select(jump.jumped, short, shorter), crawling);
+            splits = p.select(slow, zero, splits);
+            many = p.select(p.and_not(slow, jump.jumped), p.add_rn(many, many), many);
             idle = p.select(jump.jumped, zero, idle);
             let rarer = p.select(jump.jumped, p.splat(2.0), p.add_rn(enough, enough));
             enough = p.select(again, rarer, enough);
