@@ -103,8 +103,7 @@ impl<P: Packet> Line<'_, P> {
     pub fn turn(&mut self, t: &Interval, bend: &Interval) -> Turn {
         let up = bend.lo > 0.0;
         let flattest = bend.lo.abs().min(bend.hi.abs());
-        let c = self.lowest(t, 0.5 * (bend.lo + bend.hi));
-        let Some([f, slope]) = self.at(c) else {
+        let Some((c, [f, slope])) = self.lowest(t, 0.5 * (bend.lo + bend.hi)) else {
             return Turn::Unknown;
         };
         let [least, most] = if up { [f.lo, f.hi] } else { [-f.hi, -f.lo] };
@@ -131,20 +130,20 @@ impl<P: Packet> Line<'_, P> {
         }
     }
 
-    /// Newton on f' with a guess of f'': a place near the critical point, without any guarantee.
-    fn lowest(&mut self, t: &Interval, bend: f64) -> f64 {
+    /// Newton on f' with a guess of f'': a place near the critical point, without any guarantee, with f and f' there.
+    fn lowest(&mut self, t: &Interval, bend: f64) -> Option<(f64, [Interval; 2])> {
         let mut c = 0.5 * (t.lo + t.hi);
+        let mut found = self.at(c)?;
         for _ in 0..6 {
-            let Some([_, slope]) = self.at(c) else {
-                break;
-            };
+            let [_, slope] = found;
             let next = (c - 0.5 * (slope.lo + slope.hi) / bend).clamp(t.lo, t.hi);
-            if next == c || next.is_nan() {
+            if next.is_nan() || (next - c).abs() <= 2.0 * f64::EPSILON * c {
                 break;
             }
             c = next;
+            found = self.at(c)?;
         }
-        c
+        Some((c, found))
     }
 
     /// The roots of a piece in whose midst, at c, f is certainly on the other side of 0.

@@ -79,6 +79,9 @@ struct Pace<P: Packet> {
 /// The part of the budget that may go into one crawl. The rest is for what lies behind it.
 const PATIENCE: f64 = 0.5;
 
+/// Behind what was jumped over, or settled where the march was stuck, a segment is so much longer.
+const GROWTH: f64 = 8.0;
+
 /// So many splits more than segments that were passed are as good as short segments.
 const SPLITS: f64 = 3.0;
 
@@ -181,7 +184,14 @@ pub(super) fn march<C: Contractor, P: Packet>(
         let crawls = p.and_not(p.and(live, split), stuck);
         let counted = p.add_rn(splits, p.select(split, p.splat(1.0), p.splat(-1.0)));
         splits = p.max_f(counted, zero);
-        let split_often = p.and(crawls, p.le(many, splits));
+        // Neighbours jump together, and take along who is nearly as far.
+        let mut split_often = p.and(crawls, p.le(many, splits));
+        if 2 * p.bits(split_often).count_ones() >= p.bits(live).count_ones() {
+            let nearly = p.le(p.sub_rn(many, p.splat(1.0)), splits);
+            split_often = p.and(crawls, nearly);
+        } else {
+            split_often = p.none();
+        }
         let sure = p.or(p.and(crawls, p.le(length, crawling)), again);
         let slow = p.or(split_often, sure);
         if C::ORDER >= 2 && p.any(slow) {
@@ -296,7 +306,8 @@ impl<P: Packet> Front<P> {
         found.join(p, one, &outcome.brackets);
         let length = p.sub_rn(outcome.behind, self.front);
         self.front = p.select(stuck, outcome.behind, self.front);
-        let longer = p.min_f(p.add_rn(outcome.behind, p.add_rn(length, length)), end);
+        let longer = p.mul_rn(length, p.splat(GROWTH));
+        let longer = p.min_f(p.add_rn(outcome.behind, longer), end);
         self.back = p.select(stuck, p.max_f(longer, outcome.behind), self.back);
         let done = p.or(one, p.and(stuck, p.le(end, outcome.behind)));
         p.and_not(live, done)
