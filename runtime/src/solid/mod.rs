@@ -40,6 +40,7 @@
 //! within the scene's box if an operand has none.
 
 mod leaf;
+mod over;
 mod placed;
 mod span;
 mod sweep;

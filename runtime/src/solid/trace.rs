@@ -1,9 +1,12 @@
 //! A solid in a scene.
 
+use std::ops::Range;
+
 use super::leaf::PreparedLeaf;
+use super::over::{OnPictures, SurveySolid};
 use super::span::Span8;
 use super::sweep::Face;
-use super::tile::Explorer;
+use super::tile::{Explorer, Known, Look};
 use super::tree::Node;
 use super::{Part, Solid};
 use crate::beam::{Findings, Frame, Hint, Request, Rows};
@@ -82,58 +85,169 @@ pub(super) struct PreparedSolid<'a> {
 }
 
 impl PreparedSolid<'_> {
-    /// The faces along each ray of a tile, in ascending order, cell by cell; nothing on a ray without any.
+    /// The faces along each of some rays, in ascending order; `found` is told of each ray, and is to say where the ray is
+    /// to be searched from then on. False if no ray has any.
     fn faces(
         &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        tile: &mut Tile,
-        first_only: bool,
+        look: &Look,
+        known: Known,
+        (tile, first): (&mut Tile, usize),
+        over: &[Span8],
         mut found: impl FnMut(&mut Tile, usize, usize, &[Face]),
-    ) {
-        for first in (0..tile.packets.len()).step_by(PACKETS_OF_CELL) {
-            let cell = first..tile.packets.len().min(first + PACKETS_OF_CELL);
-            let over = isa.run(Segments {
-                own: (*domain != tile.domain).then_some(domain),
-                packets: &tile.packets[cell.clone()],
-            });
-            let packets = &tile.packets[cell];
-            let Some(beam) = isa.run(BeamOf { packets }) else {
-                continue;
-            };
-            let explored = Explorer {
-                node: &self.node,
-                leaves: &self.leaves,
-                isa,
-                settings,
-                packets,
-                beam: &beam,
-                counts: &mut tile.counts,
-            }
-            .explore(&over);
-            let Some(explored) = explored else { continue };
-            let mut sweep = explored.sweep(first_only);
-            for (packet, span) in over.iter().enumerate() {
-                for lane in 0..8 {
-                    let ray = span.of(lane);
-                    if ray.lo <= ray.hi {
-                        explored.faces(&mut sweep, packet, lane, ray);
-                        if !sweep.faces.is_empty() {
-                            found(tile, first + packet, lane, &sweep.faces);
-                        }
-                    }
+    ) -> bool {
+        let packets = &tile.packets[first..first + over.len()];
+        let explored = Explorer::new(self, look, packets, &mut tile.counts).explore(known, over);
+        let Some(explored) = explored else {
+            return false;
+        };
+        let mut sweep = explored.sweep(look.first_only);
+        for (packet, span) in over.iter().enumerate() {
+            for lane in 0..8 {
+                let ray = span.of(lane);
+                if ray.lo <= ray.hi {
+                    explored.faces(&mut sweep, packet, lane, ray);
+                    found(tile, first + packet, lane, &sweep.faces);
                 }
             }
         }
+        true
+    }
+
+    /// The faces along each ray of some packets, of which nothing is known.
+    fn faces_of(
+        &self,
+        look: &Look,
+        domain: &[[f64; 3]; 2],
+        tile: &mut Tile,
+        packets: Range<usize>,
+        found: impl FnMut(&mut Tile, usize, usize, &[Face]),
+    ) {
+        let of_cell = &tile.packets[packets.clone()];
+        let over = look.isa.run(Segments {
+            own: (*domain != tile.domain).then_some(domain),
+            packets: of_cell,
+            front: 0.0,
+        });
+        if let Some(beam) = look.isa.run(BeamOf { packets: of_cell }) {
+            self.faces(
+                look,
+                Known::Around(&beam),
+                (tile, packets.start),
+                &over,
+                found,
+            );
+        }
+    }
+
+    /// The faces along the rays of a cell, up to the first certain one: near the beam's front, where few operands matter, and
+    /// if nothing is there, behind. What the border between these may have caused is looked at again.
+    fn faces_in_cell(
+        &self,
+        job: &TileJob,
+        (hint, rows): (&Hint, &Rows),
+        tile: &mut Tile,
+        first: usize,
+    ) {
+        let packets = first..first + PACKETS_OF_CELL;
+        let mut rest = job.isa.run(Segments {
+            own: (*job.domain != tile.domain).then_some(job.domain),
+            packets: &tile.packets[packets.clone()],
+            front: hint.front,
+        });
+        let look = Look {
+            isa: job.isa,
+            settings: job.settings,
+            first_only: true,
+        };
+        for (active, reach) in [(&rows.near, rows.reach), (&rows.all, f64::INFINITY)] {
+            let over: Vec<Span8> = rest
+                .iter()
+                .zip(&tile.packets[packets.clone()])
+                .map(|(span, packet)| span.up_to(reach, &packet.record.entry))
+                .collect();
+            let known = Known::Sides(&active.choices);
+            let any = self.faces(
+                &look,
+                known,
+                (tile, first),
+                &over,
+                |tile, packet, lane, faces| {
+                    let (rest, searched) =
+                        (&mut rest[packet - first], over[packet - first].of(lane));
+                    let whole = rest.hi[lane] <= searched.hi;
+                    let certain = faces.first().is_none_or(|face| {
+                        face.verdict.is_certain_hit()
+                            && face.verdict.t().is_some_and(|t| t.hi < searched.hi)
+                    });
+                    if !whole && !certain {
+                        return;
+                    }
+                    show(job.index, tile, packet, lane, faces);
+                    let done = whole || !faces.is_empty();
+                    rest.lo[lane] = if done { f64::INFINITY } else { searched.hi };
+                },
+            );
+            if !any {
+                for (rest, over) in rest.iter_mut().zip(&over) {
+                    rest.pass(over);
+                }
+            }
+            if rest.iter().all(Span8::is_empty) {
+                return;
+            }
+        }
+    }
+
+    /// Traces the cells that may show something, as beams through them tell.
+    fn cells(
+        &self,
+        job: &TileJob,
+        beams: &WithBeams,
+        (hint, rows): (&Hint, &Rows),
+        tile: &mut Tile,
+    ) {
+        let mut cells = Findings::default();
+        if hint.single.is_some() {
+            cells.know(hint, rows);
+        } else {
+            let request = Request {
+                space: beams.space,
+                corner: job.view.begin(tile.corner, &Tile::GRID_OF_CELLS),
+                grid: &Tile::GRID_OF_CELLS,
+                live: tile.cells(),
+                known: hint,
+                rows,
+                thin: job.settings.thin,
+            };
+            self.survey(job.isa, *beams, &request, &mut cells);
+        }
+        let mut missed = 0;
+        for (cell, (hint, rows)) in cells.hints.iter().zip(&cells.rows).enumerate() {
+            missed |= u8::from(!hint.open) << cell;
+            tile.full |= u8::from(hint.is_full()) << cell;
+            if hint.open {
+                let first = cell * PACKETS_OF_CELL;
+                let packets = first..first + PACKETS_OF_CELL;
+                let view = job.view;
+                job.isa.run(Enter {
+                    view,
+                    tile,
+                    packets,
+                });
+                self.faces_in_cell(job, (hint, rows), tile, first);
+            }
+        }
+        tile.missed &= missed;
+        tile.counts.beams += cells.count;
     }
 }
 
-/// The part of each ray that is of interest.
+/// The part of each ray that is of interest, from a parameter on that counts from the camera.
 struct Segments<'a> {
     /// The solid's box, if it is not the scene's.
     own: Option<&'a [[f64; 3]; 2]>,
     packets: &'a [PacketRays],
+    front: f64,
 }
 
 impl Kernel for Segments<'_> {
@@ -143,8 +257,9 @@ impl Kernel for Segments<'_> {
     fn run<P: Packet>(self, p: P) -> Vec<Span8> {
         let span = |packet: &PacketRays| {
             let (over, live) = segment(p, packet, self.own);
+            let front = p.sub_rd(p.splat(self.front), p.lanes(packet.record.entry));
             Span8 {
-                lo: p.to_array(over.lo),
+                lo: p.to_array(p.max_f(over.lo, front)),
                 hi: p.to_array(p.select(live, over.hi, p.splat(-1.0))),
             }
         };
@@ -152,18 +267,19 @@ impl Kernel for Segments<'_> {
     }
 }
 
-/// Makes the rays of all packets of a tile.
-struct AllRays<'a> {
+/// Makes the rays of some packets of a tile.
+struct Enter<'a> {
     view: &'a View<'a>,
     tile: &'a mut Tile,
+    packets: Range<usize>,
 }
 
-impl Kernel for AllRays<'_> {
+impl Kernel for Enter<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        for packet in 0..PACKETS {
+        for packet in self.packets {
             self.tile.enter(p, self.view, packet);
         }
     }
@@ -194,41 +310,56 @@ impl Kernel for OneRay<'_> {
 }
 
 impl Prepared for PreparedSolid<'_> {
-    /// Operands are surveyed cell by cell.
-    fn leaves(&self, _isa: Isa, _frame: &Frame) -> Option<Leaves> {
-        None
+    fn leaves(&self, isa: Isa, frame: &Frame) -> Option<Leaves> {
+        let leaves = self.leaves.iter();
+        let pictures: OnPictures = leaves.map(|leaf| leaf.on_picture(isa, frame)).collect();
+        let any = pictures.iter().any(Option::is_some);
+        any.then(|| Box::new(pictures) as Leaves)
     }
 
-    fn survey(&self, _: Isa, _: WithBeams, request: &Request, findings: &mut Findings) {
-        findings.know(&Hint::OPEN, request.rows);
-    }
-
-    fn everything(&self) -> Active {
-        Active::default()
-    }
-
-    fn trace(&self, job: &TileJob, _known: (&Hint, &Rows), tile: &mut Tile) {
-        job.isa.run(AllRays {
-            view: job.view,
-            tile,
+    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, findings: &mut Findings) {
+        isa.run(SurveySolid {
+            solid: self,
+            leaves: beams.leaves,
+            request,
+            findings,
         });
+    }
+
+    /// Each operand may be on either side.
+    fn everything(&self) -> Active {
+        Active::everything(&[], 0, self.leaves.len())
+    }
+
+    fn trace(&self, job: &TileJob, known: (&Hint, &Rows), tile: &mut Tile) {
+        if let Some(beams) = &job.beams {
+            self.cells(job, beams, known, tile);
+            return;
+        }
         // Nothing is known about rays beside those that sample.
         tile.missed = 0;
-        self.faces(
-            job.isa,
-            job.settings,
-            job.domain,
-            tile,
-            true,
-            |tile, packet, lane, faces| {
-                for face in faces {
-                    let surface = job.index + face.leaf as u16;
-                    if keep(tile, packet, lane, face, surface) {
-                        break;
-                    }
-                }
-            },
-        );
+        for first in (0..PACKETS).step_by(PACKETS_OF_CELL) {
+            let packets = first..first + PACKETS_OF_CELL;
+            job.isa.run(Enter {
+                view: job.view,
+                tile,
+                packets: packets.clone(),
+            });
+            let look = Look {
+                isa: job.isa,
+                settings: job.settings,
+                first_only: true,
+            };
+            self.faces_of(
+                &look,
+                job.domain,
+                tile,
+                packets,
+                |tile, packet, lane, faces| {
+                    show(job.index, tile, packet, lane, faces);
+                },
+            );
+        }
     }
 
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
@@ -255,22 +386,29 @@ impl Prepared for PreparedSolid<'_> {
             end: Some(end),
             ..Trail::default()
         };
-        self.faces(
+        let look = Look {
             isa,
             settings,
-            domain,
-            &mut tile,
             first_only,
-            |_, _, _, faces| {
-                for face in faces {
-                    face.verdict.append(&mut trail.events);
-                    if first_only && face.verdict.is_certain_hit() {
-                        break;
-                    }
+        };
+        self.faces_of(&look, domain, &mut tile, 0..1, |_, _, _, faces| {
+            for face in faces {
+                face.verdict.append(&mut trail.events);
+                if first_only && face.verdict.is_certain_hit() {
+                    break;
                 }
-            },
-        );
+            }
+        });
         trail
+    }
+}
+
+/// Keeps the faces of a ray, up to the first certain hit.
+fn show(first: u16, tile: &mut Tile, packet: usize, lane: usize, faces: &[Face]) {
+    for face in faces {
+        if keep(tile, packet, lane, face, first + face.leaf as u16) {
+            break;
+        }
     }
 }
 

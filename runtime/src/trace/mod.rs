@@ -9,7 +9,9 @@ mod survey;
 mod tile;
 mod trails;
 
-pub(crate) use beams::{AssembleLeaves, Leaves, SurveyGrid, WithBeams};
+pub(crate) use beams::{
+    AssembleLeaves, AssembleOperand, Leaves, OnPicture, Operand, SurveyGrid, WithBeams,
+};
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use range::RangeAlong;
 pub(crate) use roots::AlongRay;

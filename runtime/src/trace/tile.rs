@@ -47,7 +47,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
             solver: PhantomData,
         };
         let over = match (self.beams, self.hint.single) {
-            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, &beams),
+            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, beams.leaves),
             _ => None,
         };
         let known = (&self.hint, self.rows);
