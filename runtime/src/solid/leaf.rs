@@ -10,10 +10,12 @@ use super::{Side, Span8};
 use crate::beam::Frame;
 use crate::interval::{Interval, Isa};
 use crate::render::tile::{PacketRays, Tile};
+use crate::scene::TileJob;
 use crate::solve::{Evaluations, Settings};
 use crate::surface::{ParameterError, Surface};
 use crate::trace::{
-    AssembleOperand, Beam, NormalsOfTile, OnPicture, SideOfBoxes, Survey, Trails, TrailsOfTile,
+    AssembleOperand, Beam, Lone, NormalsOfTile, OnPicture, SideOfBoxes, Survey, TraceLone, Trails,
+    TrailsOfTile,
 };
 
 /// A surface in a solid.
@@ -35,6 +37,8 @@ pub(crate) trait PreparedLeaf: Send + Sync {
     fn on_picture(&self, isa: Isa, frame: &Frame) -> Option<OnPicture>;
     /// What the surface stage made, for [`OnPicture::open`].
     fn prepared(&self) -> &(dyn Any + Send + Sync);
+    /// Finds roots on rays that have one each, and tells on which it did.
+    fn lone(&self, job: &TileJob, lone: &mut [Lone], tile: &mut Tile);
     /// Its side on each eighth of a beam.
     fn survey(&self, isa: Isa, beam: &Beam, counts: &mut Evaluations) -> [Side; 8];
     /// All events along a tile's rays, where they are to be searched.
@@ -90,6 +94,14 @@ impl<S: Surface + 'static> PreparedLeaf for Bare<'_, S> {
     }
     fn prepared(&self) -> &(dyn Any + Send + Sync) {
         &self.prepared
+    }
+    fn lone(&self, job: &TileJob, lone: &mut [Lone], tile: &mut Tile) {
+        job.isa.run(TraceLone::<Placed<S>> {
+            prepared: &self.prepared,
+            job,
+            lone,
+            tile,
+        });
     }
     fn survey(&self, isa: Isa, beam: &Beam, counts: &mut Evaluations) -> [Side; 8] {
         isa.run(Survey::<Placed<S>> {

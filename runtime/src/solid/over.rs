@@ -28,8 +28,10 @@ pub(super) fn side(known: Choice) -> Side {
 /// solid's f, thus its roots, and is as continuous. Which are left out changes only when leaves are moved, so that all
 /// enclosures between are those of one function.
 pub(super) struct OverSolid<'a, P: Packet> {
-    whole: &'a Node,
-    operands: Vec<Option<(Operand<'a, P>, &'a Active)>>,
+    solid: &'a PreparedSolid<'a>,
+    pictures: &'a OnPictures,
+    /// Those that were needed so far.
+    operands: Vec<Option<Operand<'a, P>>>,
     /// What of the tree is open, or the side of the solid.
     open: Result<Node, Side>,
     parts: u64,
@@ -37,22 +39,30 @@ pub(super) struct OverSolid<'a, P: Packet> {
 
 impl<'a, P: Packet> OverSolid<'a, P> {
     /// Nothing if the leaves are not this solid's.
-    pub fn new(
-        p: P,
-        solid: &'a PreparedSolid,
-        leaves: &'a (dyn Any + Send + Sync),
-    ) -> Option<Self> {
+    pub fn new(solid: &'a PreparedSolid, leaves: &'a (dyn Any + Send + Sync)) -> Option<Self> {
         let pictures: &OnPictures = leaves.downcast_ref()?;
-        let operands = pictures.iter().zip(&solid.leaves).map(|(on, leaf)| {
-            let on = on.as_ref()?;
-            Some((on.open(p, leaf.prepared())?, on.everything()))
-        });
         Some(OverSolid {
-            whole: &solid.node,
-            operands: operands.collect(),
+            solid,
+            pictures,
+            operands: pictures.iter().map(|_| None).collect(),
             open: Err(Side::Unknown),
             parts: 0,
         })
+    }
+
+    /// Moves an operand's leaves.
+    fn shift_operand(&mut self, p: P, leaf: usize, shift: &Shift<P>) {
+        let Some(picture) = &self.pictures[leaf] else {
+            return;
+        };
+        let operand = &mut self.operands[leaf];
+        if operand.is_none() {
+            *operand = picture.open(p, self.solid.leaves[leaf].prepared());
+        }
+        if let Some(operand) = operand {
+            operand.shift(p, shift, picture.everything());
+            self.parts += operand.parts();
+        }
     }
 
     /// What is enclosed by the enclosures that `ask` gives of operands.
@@ -64,7 +74,7 @@ impl<'a, P: Packet> OverSolid<'a, P> {
     ) -> Enclosed<P, N> {
         match node {
             Node::Leaf(index) => match &self.operands[*index] {
-                Some((operand, _)) => p.call(OnASide(ask(&**operand))),
+                Some(operand) => p.call(OnASide(ask(&**operand))),
                 None => unknown(p),
             },
             Node::Not(inner) => negated(p, self.enclose(p, inner, ask)),
@@ -111,16 +121,13 @@ impl<P: Packet> Bundle<P> for OverSolid<'_, P> {
     }
 
     fn shift(&mut self, p: P, shift: &Shift<P>, active: &Active) {
-        self.open = self.whole.given(&|leaf| side(active.choices[leaf]));
         self.parts = 0;
-        if let Ok(open) = &self.open {
-            open.leaves(&mut |leaf| {
-                if let Some((operand, everything)) = &mut self.operands[leaf] {
-                    operand.shift(p, shift, everything);
-                    self.parts += operand.parts();
-                }
-            });
+        let node = &self.solid.node;
+        let open = node.given(&|leaf| side(active.choices[leaf]));
+        if let Ok(open) = &open {
+            open.leaves(&mut |leaf| self.shift_operand(p, leaf, shift));
         }
+        self.open = open;
     }
 
     fn value(&self, p: P, over: &Slab<P::F>) -> Enclosed<P, 1> {
@@ -135,7 +142,7 @@ impl<P: Packet> Bundle<P> for OverSolid<'_, P> {
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin) {
         let Ok(open) = &self.open else { return };
         open.leaves(&mut |leaf| {
-            if let Some((operand, _)) = &self.operands[leaf] {
+            if let Some(operand) = &self.operands[leaf] {
                 let f = operand.value(p, &over.over);
                 let zero = p.splat(0.0);
                 let (inside, outside) = (p.lt(f.d[0].hi, zero), p.lt(zero, f.d[0].lo));
@@ -227,7 +234,7 @@ impl Kernel for SurveySolid<'_> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        match OverSolid::<P>::new(p, self.solid, self.leaves) {
+        match OverSolid::<P>::new(self.solid, self.leaves) {
             Some(mut over) => Scout::survey(p, &mut over, self.request, self.findings),
             None => self.findings.know(&Hint::OPEN, self.request.rows),
         }

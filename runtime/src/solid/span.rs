@@ -1,6 +1,6 @@
 //! A piece of each of eight rays.
 
-use crate::interval::{Interval, Lanes, Scalar};
+use crate::interval::Interval;
 
 /// Segments of a packet's rays; empty where `hi < lo`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,25 +44,6 @@ impl Span8 {
             hull.add(k, other.of(k));
         }
         hull
-    }
-
-    /// What of it is at most `reach`, which counts from the rays' own starts before these entries.
-    pub fn up_to(&self, reach: f64, entry: &[f64; 8]) -> Span8 {
-        let mut cut = *self;
-        for (hi, entry) in cut.hi.iter_mut().zip(entry) {
-            *hi = hi.min(Scalar.sub_rd(reach, *entry));
-        }
-        cut
-    }
-
-    /// Leaves what is behind a first part of it, where there is one.
-    pub fn pass(&mut self, first: &Span8) {
-        for k in 0..8 {
-            if first.lo[k] <= first.hi[k] {
-                let whole = self.hi[k] <= first.hi[k];
-                self.lo[k] = if whole { f64::INFINITY } else { first.hi[k] };
-            }
-        }
     }
 
     /// Grows one ray's segment by a piece, if that is not empty.

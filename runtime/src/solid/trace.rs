@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::cells::Cells;
 use super::leaf::PreparedLeaf;
 use super::over::{OnPictures, SurveySolid};
 use super::span::Span8;
@@ -87,7 +88,7 @@ pub(super) struct PreparedSolid<'a> {
 impl PreparedSolid<'_> {
     /// The faces along each of some rays, in ascending order; `found` is told of each ray, and is to say where the ray is
     /// to be searched from then on. False if no ray has any.
-    fn faces(
+    pub(super) fn faces(
         &self,
         look: &Look,
         known: Known,
@@ -126,7 +127,6 @@ impl PreparedSolid<'_> {
         let over = look.isa.run(Segments {
             own: (*domain != tile.domain).then_some(domain),
             packets: of_cell,
-            front: 0.0,
         });
         if let Some(beam) = look.isa.run(BeamOf { packets: of_cell }) {
             self.faces(
@@ -138,116 +138,13 @@ impl PreparedSolid<'_> {
             );
         }
     }
-
-    /// The faces along the rays of a cell, up to the first certain one: near the beam's front, where few operands matter, and
-    /// if nothing is there, behind. What the border between these may have caused is looked at again.
-    fn faces_in_cell(
-        &self,
-        job: &TileJob,
-        (hint, rows): (&Hint, &Rows),
-        tile: &mut Tile,
-        first: usize,
-    ) {
-        let packets = first..first + PACKETS_OF_CELL;
-        let mut rest = job.isa.run(Segments {
-            own: (*job.domain != tile.domain).then_some(job.domain),
-            packets: &tile.packets[packets.clone()],
-            front: hint.front,
-        });
-        let look = Look {
-            isa: job.isa,
-            settings: job.settings,
-            first_only: true,
-        };
-        for (active, reach) in [(&rows.near, rows.reach), (&rows.all, f64::INFINITY)] {
-            let over: Vec<Span8> = rest
-                .iter()
-                .zip(&tile.packets[packets.clone()])
-                .map(|(span, packet)| span.up_to(reach, &packet.record.entry))
-                .collect();
-            let known = Known::Sides(&active.choices);
-            let any = self.faces(
-                &look,
-                known,
-                (tile, first),
-                &over,
-                |tile, packet, lane, faces| {
-                    let (rest, searched) =
-                        (&mut rest[packet - first], over[packet - first].of(lane));
-                    let whole = rest.hi[lane] <= searched.hi;
-                    let certain = faces.first().is_none_or(|face| {
-                        face.verdict.is_certain_hit()
-                            && face.verdict.t().is_some_and(|t| t.hi < searched.hi)
-                    });
-                    if !whole && !certain {
-                        return;
-                    }
-                    show(job.index, tile, packet, lane, faces);
-                    let done = whole || !faces.is_empty();
-                    rest.lo[lane] = if done { f64::INFINITY } else { searched.hi };
-                },
-            );
-            if !any {
-                for (rest, over) in rest.iter_mut().zip(&over) {
-                    rest.pass(over);
-                }
-            }
-            if rest.iter().all(Span8::is_empty) {
-                return;
-            }
-        }
-    }
-
-    /// Traces the cells that may show something, as beams through them tell.
-    fn cells(
-        &self,
-        job: &TileJob,
-        beams: &WithBeams,
-        (hint, rows): (&Hint, &Rows),
-        tile: &mut Tile,
-    ) {
-        let mut cells = Findings::default();
-        if hint.single.is_some() {
-            cells.know(hint, rows);
-        } else {
-            let request = Request {
-                space: beams.space,
-                corner: job.view.begin(tile.corner, &Tile::GRID_OF_CELLS),
-                grid: &Tile::GRID_OF_CELLS,
-                live: tile.cells(),
-                known: hint,
-                rows,
-                thin: job.settings.thin,
-            };
-            self.survey(job.isa, *beams, &request, &mut cells);
-        }
-        let mut missed = 0;
-        for (cell, (hint, rows)) in cells.hints.iter().zip(&cells.rows).enumerate() {
-            missed |= u8::from(!hint.open) << cell;
-            tile.full |= u8::from(hint.is_full()) << cell;
-            if hint.open {
-                let first = cell * PACKETS_OF_CELL;
-                let packets = first..first + PACKETS_OF_CELL;
-                let view = job.view;
-                job.isa.run(Enter {
-                    view,
-                    tile,
-                    packets,
-                });
-                self.faces_in_cell(job, (hint, rows), tile, first);
-            }
-        }
-        tile.missed &= missed;
-        tile.counts.beams += cells.count;
-    }
 }
 
-/// The part of each ray that is of interest, from a parameter on that counts from the camera.
-struct Segments<'a> {
+/// The part of each ray that is of interest.
+pub(super) struct Segments<'a> {
     /// The solid's box, if it is not the scene's.
-    own: Option<&'a [[f64; 3]; 2]>,
-    packets: &'a [PacketRays],
-    front: f64,
+    pub own: Option<&'a [[f64; 3]; 2]>,
+    pub packets: &'a [PacketRays],
 }
 
 impl Kernel for Segments<'_> {
@@ -257,9 +154,8 @@ impl Kernel for Segments<'_> {
     fn run<P: Packet>(self, p: P) -> Vec<Span8> {
         let span = |packet: &PacketRays| {
             let (over, live) = segment(p, packet, self.own);
-            let front = p.sub_rd(p.splat(self.front), p.lanes(packet.record.entry));
             Span8 {
-                lo: p.to_array(p.max_f(over.lo, front)),
+                lo: p.to_array(over.lo),
                 hi: p.to_array(p.select(live, over.hi, p.splat(-1.0))),
             }
         };
@@ -268,10 +164,10 @@ impl Kernel for Segments<'_> {
 }
 
 /// Makes the rays of some packets of a tile.
-struct Enter<'a> {
-    view: &'a View<'a>,
-    tile: &'a mut Tile,
-    packets: Range<usize>,
+pub(super) struct Enter<'a> {
+    pub view: &'a View<'a>,
+    pub tile: &'a mut Tile,
+    pub packets: Range<usize>,
 }
 
 impl Kernel for Enter<'_> {
@@ -333,8 +229,13 @@ impl Prepared for PreparedSolid<'_> {
 
     fn trace(&self, job: &TileJob, known: (&Hint, &Rows), tile: &mut Tile) {
         if let Some(beams) = &job.beams {
-            self.cells(job, beams, known, tile);
-            return;
+            let cells = Cells {
+                solid: self,
+                job,
+                beams,
+                tile,
+            };
+            return cells.trace(known);
         }
         // Nothing is known about rays beside those that sample.
         tile.missed = 0;
@@ -404,7 +305,7 @@ impl Prepared for PreparedSolid<'_> {
 }
 
 /// Keeps the faces of a ray, up to the first certain hit.
-fn show(first: u16, tile: &mut Tile, packet: usize, lane: usize, faces: &[Face]) {
+pub(super) fn show(first: u16, tile: &mut Tile, packet: usize, lane: usize, faces: &[Face]) {
     for face in faces {
         if keep(tile, packet, lane, face, first + face.leaf as u16) {
             break;
