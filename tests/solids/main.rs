@@ -5,6 +5,7 @@
 #![allow(missing_docs)]
 
 mod areas;
+mod budget;
 mod compare;
 mod pairs;
 mod rays;

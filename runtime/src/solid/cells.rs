@@ -5,7 +5,7 @@ use super::span::Span8;
 use super::tile::{Known, Look};
 use super::trace::{Enter, PreparedSolid, Segments, show};
 use super::tree::Node;
-use crate::beam::{Findings, Grid, Hint, Request, Rows, Single};
+use crate::beam::{Findings, Grid, Hint, Request, Rows};
 use crate::interval::{Interval, Lanes, Scalar};
 use crate::render::tile::{PACKETS_OF_CELL, Tile};
 use crate::scene::{Prepared, TileJob};
@@ -27,9 +27,10 @@ impl Cells<'_> {
         let part = (self.tile.corner, self.tile.cells());
         self.look(&Tile::GRID_OF_CELLS, part, (hint, rows), &mut cells);
         let mut missed = 0;
+        let full = hint.is_full();
         for (cell, (hint, rows)) in cells.hints.iter().zip(&cells.rows).enumerate() {
             missed |= u8::from(!hint.open) << cell;
-            self.tile.full |= u8::from(hint.is_full()) << cell;
+            self.tile.full |= u8::from(full || hint.is_full()) << cell;
             if hint.open {
                 let first = cell * PACKETS_OF_CELL;
                 let part = (self.tile.corner_of(first), self.tile.packets_of(cell));
@@ -41,7 +42,7 @@ impl Cells<'_> {
         self.tile.counts.beams += cells.count + packets.count;
     }
 
-    /// Looks at the beams of a grid, unless it is known that there is one root on each ray.
+    /// Looks at the beams of a grid, unless it is known that each ray has its root, and on which operand.
     fn look(
         &self,
         grid: &Grid,
@@ -49,7 +50,7 @@ impl Cells<'_> {
         (known, rows): (&Hint, &Rows),
         findings: &mut Findings,
     ) {
-        if known.single.is_some() {
+        if known.is_full() && self.only(&rows.near).is_some() {
             findings.know(known, rows);
             return;
         }
@@ -76,10 +77,7 @@ impl Cells<'_> {
                 tile: self.tile,
                 packets: first + k..first + k + 1,
             });
-            let single = packets.hints[k].single;
-            lone.extend(
-                single.and_then(|single| self.lone(first + k, single, &packets.rows[k].near)),
-            );
+            lone.extend(self.lone(first + k, &packets.hints[k], &packets.rows[k].near));
         }
         lone.sort_by_key(|lone: &Lone| lone.leaf);
         let mut rest = self.rest(first, packets);
@@ -95,28 +93,32 @@ impl Cells<'_> {
         self.faces(first, rows, rest);
     }
 
-    /// The only operand that matters where each ray of a packet has one root, if there is only one.
-    fn lone(&self, packet: usize, single: Single, active: &Active) -> Option<Lone> {
+    /// The only operand that matters, if there is only one, and whether its complement does.
+    fn only(&self, active: &Active) -> Option<(usize, bool)> {
         let open = self.solid.node.given(&|leaf| side(active.choices[leaf]));
-        let (leaf, turned) = match open {
-            Ok(Node::Leaf(leaf)) => (leaf, false),
-            Ok(Node::Not(inner)) => match *inner {
-                Node::Leaf(leaf) => (leaf, true),
-                _ => return None,
+        match open.ok()? {
+            Node::Leaf(leaf) => Some((leaf, false)),
+            Node::Not(inner) => match *inner {
+                Node::Leaf(leaf) => Some((leaf, true)),
+                _ => None,
             },
-            _ => return None,
-        };
-        let mut single = single;
+            _ => None,
+        }
+    }
+
+    /// The roots of a packet with one on each ray, if it is known on which operand.
+    fn lone(&self, packet: usize, hint: &Hint, active: &Active) -> Option<Lone> {
+        let mut single = hint.single?;
+        let (leaf, turned) = self.only(active)?;
         if turned {
             let [lo, hi] = single.slope;
             single.slope = [-hi, -lo];
         }
-        let found = 0;
         Some(Lone {
             leaf,
             packet,
             single,
-            found,
+            found: 0,
         })
     }
 

@@ -300,6 +300,7 @@ impl Prepared for PreparedSolid<'_> {
                 }
             }
         });
+        trail.evaluations = tile.counts;
         trail
     }
 }
