@@ -1,9 +1,11 @@
 //! Solids against the same solids written with min and max in one formula; coincident, touching and undefined operands;
-//! what is skipped; volumes.
+//! what is skipped; areas and volumes.
 
 // Documentation of these surfaces stands in their formulas.
 #![allow(missing_docs)]
 
+mod areas;
+mod budget;
 mod compare;
 mod pairs;
 mod rays;
@@ -46,15 +48,28 @@ fn solids_are_what_their_formulas_say() {
     assert!(count >= 10);
 }
 
-/// A picture tells what was not searched: two balls in opposite corners matter to few rays.
+/// A picture tells what was not searched: two balls in opposite corners matter to few rays. With beams most rays are not
+/// even made, and on those that are one operand is spared.
 #[test]
 fn operands_that_cannot_matter_are_not_searched() {
-    let options = Options::new(192, 192);
-    let picture = render(&pairs::apart(), &compare::camera(), &options).expect("a valid scene");
-    let statistics = picture.statistics();
-    let counts = statistics.evaluations;
-    assert!(
-        counts.spared > statistics.rays / 2 && counts.shortened > 0 && statistics.root > 500,
-        "{statistics}"
-    );
+    let mut options = Options::new(192, 192);
+    for beams in [true, false] {
+        options.settings.beams = beams;
+        let picture = render(&pairs::apart(), &compare::camera(), &options).expect("a valid scene");
+        let statistics = picture.statistics();
+        let counts = statistics.evaluations;
+        let made = statistics.made;
+        assert!(
+            counts.spared > made / 2 && statistics.root > 500,
+            "{statistics}"
+        );
+        if beams {
+            assert!(made < statistics.rays / 4, "{statistics}");
+        } else {
+            assert!(
+                made == statistics.rays && counts.shortened > 0,
+                "{statistics}"
+            );
+        }
+    }
 }

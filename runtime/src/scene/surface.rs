@@ -131,11 +131,7 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
     fn trace(&self, job: &TileJob, (hint, rows): (&Hint, &Rows), tile: &mut Tile) {
         job.isa.run(TraceTile::<S, C> {
             prepared: &self.prepared,
-            settings: job.settings,
-            domain: job.domain,
-            index: job.index,
-            view: job.view,
-            beams: job.beams,
+            job,
             hint: *hint,
             rows,
             tile,

@@ -1,16 +1,22 @@
 //! An operand behind an object-safe trait: one virtual call per tile, not per ray.
 
+use core::any::Any;
 use core::marker::PhantomData;
 
 use glam::DAffine3;
 
 use super::placed::{Placed, Ready};
 use super::{Side, Span8};
+use crate::beam::Frame;
 use crate::interval::{Interval, Isa};
 use crate::render::tile::{PacketRays, Tile};
+use crate::scene::TileJob;
 use crate::solve::{Evaluations, Settings};
 use crate::surface::{ParameterError, Surface};
-use crate::trace::{Beam, NormalsOfTile, SideOfBoxes, Survey, Trails, TrailsOfTile};
+use crate::trace::{
+    AssembleOperand, Beam, Lone, NormalsOfTile, OnPicture, SideOfBoxes, Survey, TraceLone, Trails,
+    TrailsOfTile,
+};
 
 /// A surface in a solid.
 pub(crate) trait Leaf: Send + Sync {
@@ -27,6 +33,12 @@ pub(crate) trait Leaf: Send + Sync {
 
 /// A surface in a solid after the surface stage.
 pub(crate) trait PreparedLeaf: Send + Sync {
+    /// Itself over the beams of a picture; nothing if it has no leaves.
+    fn on_picture(&self, isa: Isa, frame: &Frame) -> Option<OnPicture>;
+    /// What the surface stage made, for [`OnPicture::open`].
+    fn prepared(&self) -> &(dyn Any + Send + Sync);
+    /// Finds roots on rays that have one each, and tells on which it did.
+    fn lone(&self, job: &TileJob, lone: &mut [Lone], tile: &mut Tile);
     /// Its side on each eighth of a beam.
     fn survey(&self, isa: Isa, beam: &Beam, counts: &mut Evaluations) -> [Side; 8];
     /// All events along a tile's rays, where they are to be searched.
@@ -49,7 +61,7 @@ struct Bare<'a, S: Surface> {
     surface: PhantomData<&'a S>,
 }
 
-impl<S: Surface> Leaf for Placed<S> {
+impl<S: Surface + 'static> Leaf for Placed<S> {
     fn name(&self) -> &'static str {
         S::REPORT.name
     }
@@ -73,7 +85,24 @@ impl<S: Surface> Leaf for Placed<S> {
     }
 }
 
-impl<S: Surface> PreparedLeaf for Bare<'_, S> {
+impl<S: Surface + 'static> PreparedLeaf for Bare<'_, S> {
+    fn on_picture(&self, isa: Isa, frame: &Frame) -> Option<OnPicture> {
+        isa.run(AssembleOperand::<Placed<S>> {
+            prepared: &self.prepared,
+            frame,
+        })
+    }
+    fn prepared(&self) -> &(dyn Any + Send + Sync) {
+        &self.prepared
+    }
+    fn lone(&self, job: &TileJob, lone: &mut [Lone], tile: &mut Tile) {
+        job.isa.run(TraceLone::<Placed<S>> {
+            prepared: &self.prepared,
+            job,
+            lone,
+            tile,
+        });
+    }
     fn survey(&self, isa: Isa, beam: &Beam, counts: &mut Evaluations) -> [Side; 8] {
         isa.run(Survey::<Placed<S>> {
             prepared: &self.prepared,

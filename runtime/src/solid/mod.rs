@@ -39,7 +39,9 @@
 //! intersections in the common part of the operands' boxes, unions in the box around them, `a - b` in that of a, all
 //! within the scene's box if an operand has none.
 
+mod cells;
 mod leaf;
+mod over;
 mod placed;
 mod span;
 mod sweep;

@@ -23,11 +23,12 @@ pub(crate) struct Placed<S> {
 /// The surface stage, with the way from space to the surface's own space.
 pub(crate) struct Ready<T> {
     own: T,
-    maps: Vec<DAffine3>,
-    inward: Option<Inward<Interval>>,
+    /// Nothing where there is no map: as bounds that are neighbours, and in twice the precision.
+    inward: Option<(Inward<Interval>, Inward<Ball>)>,
 }
 
 /// x ↦ M·(x − c), from space to a surface's own space.
+#[derive(Clone, Copy)]
 struct Inward<V> {
     /// By rows.
     matrix: [[V; 3]; 3],
@@ -48,6 +49,7 @@ impl<S> Placed<S> {
     }
 }
 
+#[inline(always)]
 fn dot<A: Arithmetic>(a: A, u: [A::Value; 3], v: [A::Value; 3]) -> A::Value {
     a.add(
         a.add(a.mul(u[0], v[0]), a.mul(u[1], v[1])),
@@ -59,6 +61,7 @@ fn cross<A: Arithmetic>(a: A, u: [A::Value; 3], v: [A::Value; 3]) -> [A::Value; 
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a.sub(a.mul(u[i], v[j]), a.mul(u[j], v[i])))
 }
 
+#[inline(always)]
 fn column<T: Copy>(m: &[[T; 3]; 3], k: usize) -> [T; 3] {
     [m[0][k], m[1][k], m[2][k]]
 }
@@ -91,15 +94,17 @@ fn inward<A: Arithmetic>(a: A, maps: &[DAffine3]) -> (Inward<A::Value>, Flags<A:
 impl Inward<Interval> {
     /// By two number systems: twice the precision makes bounds that are neighbours, and single numbers with optimal
     /// rounding keep exact what is exact, such as the matrix of a translation.
-    fn of(maps: &[DAffine3]) -> Self {
+    fn of(maps: &[DAffine3]) -> (Self, Inward<Ball>) {
         let (fine, (exact, _)) = (inward(Fine, maps).0, inward(Scalar, maps));
-        let both = |fine: Ball, exact: Interval| fine.interval().intersect(&exact).unwrap_or(exact);
+        let both =
+            |fine: &Ball, exact: Interval| fine.interval().intersect(&exact).unwrap_or(exact);
         let three =
-            |fine: [Ball; 3], exact: [Interval; 3]| [0, 1, 2].map(|k| both(fine[k], exact[k]));
-        Inward {
-            matrix: [0, 1, 2].map(|k| three(fine.matrix[k], exact.matrix[k])),
-            centre: three(fine.centre, exact.centre),
-        }
+            |fine: &[Ball; 3], exact: [Interval; 3]| [0, 1, 2].map(|k| both(&fine[k], exact[k]));
+        let bounds = Inward {
+            matrix: [0, 1, 2].map(|k| three(&fine.matrix[k], exact.matrix[k])),
+            centre: three(&fine.centre, exact.centre),
+        };
+        (bounds, fine)
     }
 
     /// M·v, where products with 0 and 1 are none.
@@ -200,7 +205,6 @@ impl<S: Surface> Surface for Placed<S> {
     fn prepare(&self) -> Self::Prepared {
         Ready {
             own: self.surface.prepare(),
-            maps: self.maps.clone(),
             inward: (!self.maps.is_empty()).then(|| Inward::of(&self.maps)),
         }
     }
@@ -284,15 +288,14 @@ impl<S: Surface> Surface for Placed<S> {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 4> {
-        if prepared.maps.is_empty() {
+        let Some(inward) = stored(a, prepared) else {
             return S::gradient(a, &prepared.own, point);
-        }
-        let (inward, flags) = inward(a, &prepared.maps);
+        };
         let mut jet = S::gradient(a, &prepared.own, inward.point(a, point));
-        let [value, slope @ ..] = jet.d;
-        let [x, y, z] = [0, 1, 2].map(|k| dot(a, column(&inward.matrix, k), slope));
-        jet.d = [value, x, y, z];
-        jet.flags = a.join(jet.flags, flags);
+        let [_, slope @ ..] = jet.d;
+        for k in 0..3 {
+            jet.d[k + 1] = dot(a, column(&inward.matrix, k), slope);
+        }
         jet
     }
 
@@ -303,10 +306,9 @@ impl<S: Surface> Surface for Placed<S> {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10> {
-        if prepared.maps.is_empty() {
+        let Some(inward) = stored(a, prepared) else {
             return S::hessian(a, &prepared.own, point);
-        }
-        let (inward, flags) = inward(a, &prepared.maps);
+        };
         let mut jet = S::hessian(a, &prepared.own, inward.point(a, point));
         let [value, gx, gy, gz, xx, xy, xz, yy, yz, zz] = jet.d;
         let columns = [0, 1, 2].map(|k| column(&inward.matrix, k));
@@ -326,7 +328,6 @@ impl<S: Surface> Surface for Placed<S> {
             entry(1, 2),
             entry(2, 2),
         ];
-        jet.flags = a.join(jet.flags, flags);
         jet
     }
 
@@ -336,9 +337,17 @@ impl<S: Surface> Surface for Placed<S> {
 }
 
 impl<V: Copy> Inward<V> {
+    #[inline(always)]
     fn point<A: Arithmetic<Value = V>>(&self, a: A, point: [V; 3]) -> [V; 3] {
-        let from = [0, 1, 2].map(|k| a.sub(point[k], self.centre[k]));
-        self.matrix.map(|row| dot(a, row, from))
+        let mut from = point;
+        for (x, centre) in from.iter_mut().zip(&self.centre) {
+            *x = a.sub(*x, *centre);
+        }
+        let mut own = from;
+        for (x, row) in own.iter_mut().zip(&self.matrix) {
+            *x = dot(a, *row, from);
+        }
+        own
     }
 }
 
@@ -346,6 +355,23 @@ impl<V: Copy> Inward<V> {
 fn own_rays<T, P: Packet>(p: P, prepared: &Ready<T>, rays: &Rays<P>) -> Rays<P> {
     match &prepared.inward {
         None => *rays,
-        Some(inward) => inward.rays(p, rays),
+        Some((inward, _)) => inward.rays(p, rays),
     }
+}
+
+/// The way inward as numbers of a system, if there is a map.
+#[inline(always)]
+fn stored<T, A: Arithmetic>(a: A, prepared: &Ready<T>) -> Option<Inward<A::Value>> {
+    let (bounds, fine) = prepared.inward.as_ref()?;
+    let mut stored = Inward {
+        matrix: [[a.constant(&Interval::ZERO); 3]; 3],
+        centre: [a.constant(&Interval::ZERO); 3],
+    };
+    for i in 0..3 {
+        stored.centre[i] = a.stored(&bounds.centre[i], &fine.centre[i]);
+        for k in 0..3 {
+            stored.matrix[i][k] = a.stored(&bounds.matrix[i][k], &fine.matrix[i][k]);
+        }
+    }
+    Some(stored)
 }

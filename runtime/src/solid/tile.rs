@@ -1,12 +1,14 @@
 //! The operands of a solid along the rays of a tile: each is traced only where it can matter.
 
-use super::leaf::PreparedLeaf;
+use super::over::side;
 use super::span::Span8;
 use super::sweep::{Operand, Sweep};
+use super::trace::PreparedSolid;
 use super::tree::{Node, Side};
 use crate::interval::{Interval, Isa};
 use crate::render::tile::PacketRays;
 use crate::solve::{Evaluations, Settings};
+use crate::surface::Choice;
 use crate::trace::{Beam, Trails, eighth};
 
 /// A searched piece is longer by this share of the ray at both ends, so that no root is at the end of a search.
@@ -15,14 +17,23 @@ const MARGIN: f64 = 1.0 / 65536.0;
 /// Eight rays per packet, and what is known of each operand on them.
 pub(super) struct Explored<'a> {
     node: &'a Node,
-    beam: &'a Beam,
+    pieces: [Interval; 8],
     operands: Vec<Surveyed>,
+}
+
+/// What is known of the operands before they are traced.
+#[derive(Clone, Copy)]
+pub(super) enum Known<'a> {
+    /// They are surveyed on each eighth of a beam.
+    Around(&'a Beam),
+    /// The side of each wherever rays are of interest.
+    Sides(&'a [Choice]),
 }
 
 /// An operand over a tile.
 #[derive(Default)]
 struct Surveyed {
-    /// On each eighth of the beam, as far as that was asked for.
+    /// On each piece of the rays, as far as that was asked for.
     survey: [Side; 8],
     /// Where it can matter.
     relevant: Option<Interval>,
@@ -35,37 +46,63 @@ struct May {
     outside: Vec<Span8>,
 }
 
-/// The work on a tile.
-pub(super) struct Explorer<'a, 't> {
-    pub node: &'a Node,
-    pub leaves: &'t [Box<dyn PreparedLeaf + 't>],
+/// How rays are looked at.
+#[derive(Clone, Copy)]
+pub(super) struct Look<'a> {
     pub isa: Isa,
-    pub settings: &'t Settings,
-    pub packets: &'t [PacketRays],
-    pub beam: &'a Beam,
-    pub counts: &'t mut Evaluations,
+    pub settings: &'a Settings,
+    /// Is the first certain face enough?
+    pub first_only: bool,
 }
 
-impl<'a> Explorer<'a, '_> {
+/// The work on a tile.
+pub(super) struct Explorer<'a, 't> {
+    solid: &'a PreparedSolid<'a>,
+    look: &'t Look<'t>,
+    packets: &'t [PacketRays],
+    counts: &'t mut Evaluations,
+    /// Pieces of the rays that a survey tells sides of; they cover all that is of interest.
+    pieces: [Interval; 8],
+    /// How much longer searched pieces are.
+    margin: f64,
+}
+
+impl<'a, 't> Explorer<'a, 't> {
+    pub fn new(
+        solid: &'a PreparedSolid<'a>,
+        look: &'t Look<'t>,
+        packets: &'t [PacketRays],
+        counts: &'t mut Evaluations,
+    ) -> Self {
+        Explorer {
+            solid,
+            look,
+            packets,
+            counts,
+            pieces: [Span8::EMPTY.of(0); 8],
+            margin: 0.0,
+        }
+    }
+
     /// Traces the operands over `over`, one segment for each ray; nothing if no ray meets the solid's boundary.
-    pub fn explore(mut self, over: &[Span8]) -> Option<Explored<'a>> {
-        let (isa, beam, node) = (self.isa, self.beam, self.node);
-        let mut operands = Vec::with_capacity(self.leaves.len());
-        operands.resize_with(self.leaves.len(), Surveyed::default);
-        let whole = node.sides(&mut |leaf| {
-            let survey = self.leaves[leaf].survey(isa, beam, self.counts);
-            operands[leaf].survey = survey;
-            survey
-        });
+    pub fn explore(mut self, known: Known, over: &[Span8]) -> Option<Explored<'a>> {
+        let node = &self.solid.node;
+        let mut operands = Vec::with_capacity(self.solid.leaves.len());
+        operands.resize_with(self.solid.leaves.len(), Surveyed::default);
+        self.survey(known, over, &mut operands);
         let mut anything = false;
-        for k in (0..8).filter(|k| whole[*k] == Side::Unknown) {
+        for (k, piece) in self.pieces.into_iter().enumerate() {
             let sides: Vec<Side> = operands.iter().map(|o| o.survey[k]).collect();
             let side = |leaf: usize| sides[leaf];
+            if piece.lo > piece.hi || node.side(&side) != Side::Unknown {
+                continue;
+            }
             anything = true;
-            let piece = eighth(beam.end, k);
             node.relevant(&side, &mut |leaf| {
                 let relevant = &mut operands[leaf].relevant;
-                *relevant = Some(relevant.map_or(piece, |r| r.hull(&piece)));
+                if sides[leaf] == Side::Unknown {
+                    *relevant = Some(relevant.map_or(piece, |r| r.hull(&piece)));
+                }
             });
         }
         if anything {
@@ -74,9 +111,34 @@ impl<'a> Explorer<'a, '_> {
         self.count(over, &operands);
         anything.then_some(Explored {
             node,
-            beam,
+            pieces: self.pieces,
             operands,
         })
+    }
+
+    /// The sides of the operands on pieces of the rays.
+    fn survey(&mut self, known: Known, over: &[Span8], operands: &mut [Surveyed]) {
+        let PreparedSolid { node, leaves } = self.solid;
+        let end = match known {
+            Known::Around(beam) => {
+                node.sides(&mut |leaf| {
+                    let survey = leaves[leaf].survey(self.look.isa, beam, self.counts);
+                    operands[leaf].survey = survey;
+                    survey
+                });
+                self.pieces = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| eighth(beam.end, k));
+                beam.end
+            }
+            Known::Sides(choices) => {
+                for (operand, choice) in operands.iter_mut().zip(choices) {
+                    operand.survey[0] = side(*choice);
+                }
+                let end = over.iter().flat_map(|span| span.hi).fold(0.0, f64::max);
+                self.pieces[0] = Interval { lo: 0.0, hi: end };
+                end
+            }
+        };
+        self.margin = MARGIN * end;
     }
 
     /// Counts what was not searched.
@@ -146,65 +208,90 @@ impl<'a> Explorer<'a, '_> {
         (open, decided)
     }
 
+    /// Traces an operand where it is relevant; elsewhere its side is the surveyed one.
     fn trace(&mut self, index: usize, search: &[Span8], operands: &mut [Surveyed]) -> May {
-        let whole = || May {
-            inside: search.to_vec(),
-            outside: search.to_vec(),
-        };
+        let margin = self.margin;
         let operand = &mut operands[index];
-        let Some(relevant) = operand.relevant else {
-            return whole();
-        };
-        let margin = MARGIN * self.beam.end;
-        let near = Span8 {
-            lo: [relevant.lo - margin; 8],
-            hi: [relevant.hi + margin; 8],
-        };
-        let limited: Vec<Span8> = search.iter().map(|span| span.meet(&near)).collect();
-        let trails =
-            self.leaves[index].trails(self.isa, self.settings, self.packets, limited, self.counts);
+        if let Some(relevant) = operand.relevant {
+            let near = Span8 {
+                lo: [relevant.lo - margin; 8],
+                hi: [relevant.hi + margin; 8],
+            };
+            let limited = search.iter().map(|span| span.meet(&near)).collect();
+            let Look { isa, settings, .. } = *self.look;
+            let leaf = &self.solid.leaves[index];
+            operand.trails = Some(leaf.trails(isa, settings, self.packets, limited, self.counts));
+        }
         let mut may = May {
             inside: vec![Span8::EMPTY; search.len()],
             outside: vec![Span8::EMPTY; search.len()],
         };
         for (packet, span) in search.iter().enumerate() {
             for lane in 0..8 {
-                let (asked, searched) = (span.of(lane), trails.searched[packet].of(lane));
-                let [inside, outside] = [&mut may.inside[packet], &mut may.outside[packet]];
-                if asked != searched {
-                    inside.add(lane, asked);
-                    outside.add(lane, asked);
-                    continue;
-                }
-                let mut add = |side: Side, lo: f64, hi: f64| {
+                let asked = span.of(lane);
+                operand.sides(&self.pieces, packet, lane, asked, |side, t| {
                     let piece = Interval {
-                        lo: lo - margin,
-                        hi: hi + margin,
+                        lo: t.lo - margin,
+                        hi: t.hi + margin,
                     };
                     let Some(piece) = piece.intersect(&asked) else {
                         return;
                     };
                     if side != Side::Out {
-                        inside.add(lane, piece);
+                        may.inside[packet].add(lane, piece);
                     }
                     if side != Side::In {
-                        outside.add(lane, piece);
+                        may.outside[packet].add(lane, piece);
                     }
-                };
-                let (marks, start) = trails.of(packet, lane);
-                let (mut from, mut side) = (asked.lo, start);
-                for mark in marks {
-                    add(side, from, mark.reach.lo);
-                    add(Side::Unknown, mark.reach.lo, mark.reach.hi);
-                    (from, side) = (mark.reach.hi, mark.after);
-                }
-                if asked.lo <= asked.hi {
-                    add(side, from, asked.hi);
+                });
+            }
+        }
+        may
+    }
+}
+
+impl Surveyed {
+    /// Tells its side on pieces that cover `asked`.
+    fn sides(
+        &self,
+        pieces: &[Interval; 8],
+        packet: usize,
+        lane: usize,
+        asked: Interval,
+        mut tell: impl FnMut(Side, Interval),
+    ) {
+        if asked.lo > asked.hi {
+            return;
+        }
+        let trails = self.trails.as_ref();
+        let searched = trails.map(|trails| trails.searched[packet].of(lane));
+        let searched = searched.filter(|t| t.lo <= t.hi);
+        let (before, behind) = searched.map_or((asked.hi, asked.hi), |t| (t.lo, t.hi));
+        for (piece, side) in pieces.iter().zip(self.survey) {
+            for (lo, hi) in [(asked.lo, before), (behind, asked.hi)] {
+                let (lo, hi) = (lo.max(piece.lo), hi.min(piece.hi));
+                if lo <= hi {
+                    tell(side, Interval { lo, hi });
                 }
             }
         }
-        operand.trails = Some(trails);
-        may
+        if let (Some(trails), Some(searched)) = (trails, searched) {
+            let (marks, start) = trails.of(packet, lane);
+            let (mut lo, mut side) = (searched.lo, start);
+            for mark in marks {
+                tell(
+                    side,
+                    Interval {
+                        lo,
+                        hi: mark.reach.lo,
+                    },
+                );
+                tell(Side::Unknown, mark.reach);
+                (lo, side) = (mark.reach.hi, mark.after);
+            }
+            let hi = searched.hi;
+            tell(side, Interval { lo, hi });
+        }
     }
 }
 
@@ -213,7 +300,7 @@ impl Explored<'_> {
     pub fn sweep(&self, first_only: bool) -> Sweep<'_> {
         Sweep {
             node: self.node,
-            pieces: [0, 1, 2, 3, 4, 5, 6, 7].map(|k| eighth(self.beam.end, k)),
+            pieces: self.pieces,
             operands: Vec::with_capacity(self.operands.len()),
             first_only,
             faces: Vec::new(),

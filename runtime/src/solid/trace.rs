@@ -1,9 +1,13 @@
 //! A solid in a scene.
 
+use std::ops::Range;
+
+use super::cells::Cells;
 use super::leaf::PreparedLeaf;
+use super::over::{OnPictures, SurveySolid};
 use super::span::Span8;
 use super::sweep::Face;
-use super::tile::Explorer;
+use super::tile::{Explorer, Known, Look};
 use super::tree::Node;
 use super::{Part, Solid};
 use crate::beam::{Findings, Frame, Hint, Request, Rows};
@@ -82,58 +86,65 @@ pub(super) struct PreparedSolid<'a> {
 }
 
 impl PreparedSolid<'_> {
-    /// The faces along each ray of a tile, in ascending order, cell by cell; nothing on a ray without any.
-    fn faces(
+    /// The faces along each of some rays, in ascending order; `found` is told of each ray, and is to say where the ray is
+    /// to be searched from then on. False if no ray has any.
+    pub(super) fn faces(
         &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        tile: &mut Tile,
-        first_only: bool,
+        look: &Look,
+        known: Known,
+        (tile, first): (&mut Tile, usize),
+        over: &[Span8],
         mut found: impl FnMut(&mut Tile, usize, usize, &[Face]),
-    ) {
-        for first in (0..tile.packets.len()).step_by(PACKETS_OF_CELL) {
-            let cell = first..tile.packets.len().min(first + PACKETS_OF_CELL);
-            let over = isa.run(Segments {
-                own: (*domain != tile.domain).then_some(domain),
-                packets: &tile.packets[cell.clone()],
-            });
-            let packets = &tile.packets[cell];
-            let Some(beam) = isa.run(BeamOf { packets }) else {
-                continue;
-            };
-            let explored = Explorer {
-                node: &self.node,
-                leaves: &self.leaves,
-                isa,
-                settings,
-                packets,
-                beam: &beam,
-                counts: &mut tile.counts,
-            }
-            .explore(&over);
-            let Some(explored) = explored else { continue };
-            let mut sweep = explored.sweep(first_only);
-            for (packet, span) in over.iter().enumerate() {
-                for lane in 0..8 {
-                    let ray = span.of(lane);
-                    if ray.lo <= ray.hi {
-                        explored.faces(&mut sweep, packet, lane, ray);
-                        if !sweep.faces.is_empty() {
-                            found(tile, first + packet, lane, &sweep.faces);
-                        }
-                    }
+    ) -> bool {
+        let packets = &tile.packets[first..first + over.len()];
+        let explored = Explorer::new(self, look, packets, &mut tile.counts).explore(known, over);
+        let Some(explored) = explored else {
+            return false;
+        };
+        let mut sweep = explored.sweep(look.first_only);
+        for (packet, span) in over.iter().enumerate() {
+            for lane in 0..8 {
+                let ray = span.of(lane);
+                if ray.lo <= ray.hi {
+                    explored.faces(&mut sweep, packet, lane, ray);
+                    found(tile, first + packet, lane, &sweep.faces);
                 }
             }
+        }
+        true
+    }
+
+    /// The faces along each ray of some packets, of which nothing is known.
+    fn faces_of(
+        &self,
+        look: &Look,
+        domain: &[[f64; 3]; 2],
+        tile: &mut Tile,
+        packets: Range<usize>,
+        found: impl FnMut(&mut Tile, usize, usize, &[Face]),
+    ) {
+        let of_cell = &tile.packets[packets.clone()];
+        let over = look.isa.run(Segments {
+            own: (*domain != tile.domain).then_some(domain),
+            packets: of_cell,
+        });
+        if let Some(beam) = look.isa.run(BeamOf { packets: of_cell }) {
+            self.faces(
+                look,
+                Known::Around(&beam),
+                (tile, packets.start),
+                &over,
+                found,
+            );
         }
     }
 }
 
 /// The part of each ray that is of interest.
-struct Segments<'a> {
+pub(super) struct Segments<'a> {
     /// The solid's box, if it is not the scene's.
-    own: Option<&'a [[f64; 3]; 2]>,
-    packets: &'a [PacketRays],
+    pub own: Option<&'a [[f64; 3]; 2]>,
+    pub packets: &'a [PacketRays],
 }
 
 impl Kernel for Segments<'_> {
@@ -152,18 +163,19 @@ impl Kernel for Segments<'_> {
     }
 }
 
-/// Makes the rays of all packets of a tile.
-struct AllRays<'a> {
-    view: &'a View<'a>,
-    tile: &'a mut Tile,
+/// Makes the rays of some packets of a tile.
+pub(super) struct Enter<'a> {
+    pub view: &'a View<'a>,
+    pub tile: &'a mut Tile,
+    pub packets: Range<usize>,
 }
 
-impl Kernel for AllRays<'_> {
+impl Kernel for Enter<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        for packet in 0..PACKETS {
+        for packet in self.packets {
             self.tile.enter(p, self.view, packet);
         }
     }
@@ -194,41 +206,61 @@ impl Kernel for OneRay<'_> {
 }
 
 impl Prepared for PreparedSolid<'_> {
-    /// Operands are surveyed cell by cell.
-    fn leaves(&self, _isa: Isa, _frame: &Frame) -> Option<Leaves> {
-        None
+    fn leaves(&self, isa: Isa, frame: &Frame) -> Option<Leaves> {
+        let leaves = self.leaves.iter();
+        let pictures: OnPictures = leaves.map(|leaf| leaf.on_picture(isa, frame)).collect();
+        let any = pictures.iter().any(Option::is_some);
+        any.then(|| Box::new(pictures) as Leaves)
     }
 
-    fn survey(&self, _: Isa, _: WithBeams, request: &Request, findings: &mut Findings) {
-        findings.know(&Hint::OPEN, request.rows);
-    }
-
-    fn everything(&self) -> Active {
-        Active::default()
-    }
-
-    fn trace(&self, job: &TileJob, _known: (&Hint, &Rows), tile: &mut Tile) {
-        job.isa.run(AllRays {
-            view: job.view,
-            tile,
+    fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, findings: &mut Findings) {
+        isa.run(SurveySolid {
+            solid: self,
+            leaves: beams.leaves,
+            request,
+            findings,
         });
+    }
+
+    /// Each operand may be on either side.
+    fn everything(&self) -> Active {
+        Active::everything(&[], 0, self.leaves.len())
+    }
+
+    fn trace(&self, job: &TileJob, known: (&Hint, &Rows), tile: &mut Tile) {
+        if let Some(beams) = &job.beams {
+            let cells = Cells {
+                solid: self,
+                job,
+                beams,
+                tile,
+            };
+            return cells.trace(known);
+        }
         // Nothing is known about rays beside those that sample.
         tile.missed = 0;
-        self.faces(
-            job.isa,
-            job.settings,
-            job.domain,
-            tile,
-            true,
-            |tile, packet, lane, faces| {
-                for face in faces {
-                    let surface = job.index + face.leaf as u16;
-                    if keep(tile, packet, lane, face, surface) {
-                        break;
-                    }
-                }
-            },
-        );
+        for first in (0..PACKETS).step_by(PACKETS_OF_CELL) {
+            let packets = first..first + PACKETS_OF_CELL;
+            job.isa.run(Enter {
+                view: job.view,
+                tile,
+                packets: packets.clone(),
+            });
+            let look = Look {
+                isa: job.isa,
+                settings: job.settings,
+                first_only: true,
+            };
+            self.faces_of(
+                &look,
+                job.domain,
+                tile,
+                packets,
+                |tile, packet, lane, faces| {
+                    show(job.index, tile, packet, lane, faces);
+                },
+            );
+        }
     }
 
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
@@ -255,22 +287,30 @@ impl Prepared for PreparedSolid<'_> {
             end: Some(end),
             ..Trail::default()
         };
-        self.faces(
+        let look = Look {
             isa,
             settings,
-            domain,
-            &mut tile,
             first_only,
-            |_, _, _, faces| {
-                for face in faces {
-                    face.verdict.append(&mut trail.events);
-                    if first_only && face.verdict.is_certain_hit() {
-                        break;
-                    }
+        };
+        self.faces_of(&look, domain, &mut tile, 0..1, |_, _, _, faces| {
+            for face in faces {
+                face.verdict.append(&mut trail.events);
+                if first_only && face.verdict.is_certain_hit() {
+                    break;
                 }
-            },
-        );
+            }
+        });
+        trail.evaluations = tile.counts;
         trail
+    }
+}
+
+/// Keeps the faces of a ray, up to the first certain hit.
+pub(super) fn show(first: u16, tile: &mut Tile, packet: usize, lane: usize, faces: &[Face]) {
+    for face in faces {
+        if keep(tile, packet, lane, face, first + face.leaf as u16) {
+            break;
+        }
     }
 }
 

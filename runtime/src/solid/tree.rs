@@ -161,6 +161,52 @@ impl Node {
         all
     }
 
+    /// What is left of it where operand i is on `sides(i)`: those on no certain side, as far as they matter; or the side
+    /// of the whole. Both have the same sign wherever these sides hold.
+    pub fn given(&self, sides: &impl Fn(usize) -> Side) -> Result<Node, Side> {
+        let (parts, dominant, join): (_, _, fn(Vec<Node>) -> Node) = match self {
+            Node::Leaf(index) => {
+                return match sides(*index) {
+                    Side::Unknown => Ok(self.clone()),
+                    side => Err(side),
+                };
+            }
+            Node::Not(inner) => {
+                let open = inner.given(sides);
+                return open.map(Node::negated).map_err(Side::opposite);
+            }
+            Node::Both(parts) => (parts, Side::Out, Node::Both),
+            Node::Either(parts) => (parts, Side::In, Node::Either),
+        };
+        let mut open = Vec::with_capacity(parts.len());
+        for part in parts {
+            match part.given(sides) {
+                Ok(node) => open.push(node),
+                Err(side) if side == dominant => return Err(side),
+                Err(_) => {}
+            }
+        }
+        match open.pop() {
+            None => Err(dominant.opposite()),
+            Some(only) if open.is_empty() => Ok(only),
+            Some(last) => {
+                open.push(last);
+                Ok(join(open))
+            }
+        }
+    }
+
+    /// Visits its operands.
+    pub fn leaves(&self, visit: &mut impl FnMut(usize)) {
+        match self {
+            Node::Leaf(index) => visit(*index),
+            Node::Not(inner) => inner.leaves(visit),
+            Node::Both(parts) | Node::Either(parts) => {
+                parts.iter().for_each(|part| part.leaves(visit));
+            }
+        }
+    }
+
     /// Visits the operands that can matter, where operand i is on `sides(i)`: no other operand of an intersection that
     /// they are in is certainly outside, and none of a union certainly inside.
     pub fn relevant(&self, sides: &impl Fn(usize) -> Side, visit: &mut impl FnMut(usize)) {

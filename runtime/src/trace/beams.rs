@@ -1,4 +1,5 @@
-//! A surface over beams: its leaves for a picture, and what is certain for the tiles of a block.
+//! A surface over beams: its leaves for a picture, and what is certain for the tiles of a block. An operand of a solid
+//! becomes an object.
 
 use core::any::Any;
 use core::marker::PhantomData;
@@ -51,10 +52,14 @@ pub(super) struct OverGroup<'a, S: Surface, P: Packet> {
 
 impl<'a, S: Surface, P: Packet> OverGroup<'a, S, P> {
     /// Nothing if the leaves are not this surface's, on this instruction set.
-    pub fn new(p: P, prepared: &'a S::Prepared, beams: &WithBeams<'a>) -> Option<Self> {
+    pub fn new(
+        p: P,
+        prepared: &'a S::Prepared,
+        leaves: &'a (dyn Any + Send + Sync),
+    ) -> Option<Self> {
         Some(OverGroup {
             prepared,
-            from: beams.leaves.downcast_ref()?,
+            from: leaves.downcast_ref()?,
             bound: S::unbound::<OverBeams<P>>(p),
         })
     }
@@ -151,9 +156,68 @@ impl<S: Surface> Kernel for SurveyGrid<'_, S> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        match OverGroup::<S, P>::new(p, self.prepared, &self.beams) {
+        match OverGroup::<S, P>::new(p, self.prepared, self.beams.leaves) {
             Some(mut over) => Scout::survey(p, &mut over, self.request, self.findings),
             None => self.findings.know(&Hint::OPEN, self.request.rows),
         }
     }
+}
+
+/// An operand of a solid over the beams of a picture.
+pub(crate) struct OnPicture {
+    leaves: Leaves,
+    everything: Active,
+    /// An [`Opener`] for the render's instruction set.
+    opener: Box<dyn Any + Send + Sync>,
+}
+
+/// From a surface after its surface stage, and its leaves, to an object over eight beams. A solid does not know its
+/// operands' types, and they do not know the instruction set: a pointer to a function has no lifetime, so it can be found
+/// by its type.
+struct Opener<P: Packet>(for<'a> fn(P, Erased<'a>, Erased<'a>) -> Option<Operand<'a, P>>);
+
+type Erased<'a> = &'a (dyn Any + Send + Sync);
+/// An operand over eight beams.
+pub(crate) type Operand<'a, P> = Box<dyn Bundle<P> + 'a>;
+
+impl OnPicture {
+    /// All rows of the operand's tables.
+    pub fn everything(&self) -> &Active {
+        &self.everything
+    }
+
+    /// Ready for beams; nothing if this was made for another surface or another instruction set.
+    pub fn open<'a, P: Packet>(&'a self, p: P, prepared: Erased<'a>) -> Option<Operand<'a, P>> {
+        let opener: &Opener<P> = self.opener.downcast_ref()?;
+        (opener.0)(p, prepared, &*self.leaves)
+    }
+}
+
+/// Computes the leaves of an operand; nothing for one without leaves.
+pub(crate) struct AssembleOperand<'a, S: Surface> {
+    pub prepared: &'a S::Prepared,
+    pub frame: &'a Frame,
+}
+
+impl<S: Surface + 'static> Kernel for AssembleOperand<'_, S> {
+    type Output = Option<OnPicture>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Option<OnPicture> {
+        let AssembleOperand { prepared, frame } = self;
+        Some(OnPicture {
+            leaves: AssembleLeaves::<S> { prepared, frame }.run(p)?,
+            everything: S::everything(prepared),
+            opener: Box::new(Opener::<P>(open::<S, P>)),
+        })
+    }
+}
+
+fn open<'a, S: Surface + 'static, P: Packet>(
+    p: P,
+    prepared: Erased<'a>,
+    leaves: Erased<'a>,
+) -> Option<Operand<'a, P>> {
+    let over = OverGroup::<S, P>::new(p, prepared.downcast_ref()?, leaves)?;
+    Some(Box::new(over))
 }

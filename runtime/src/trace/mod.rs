@@ -2,6 +2,7 @@
 
 mod beams;
 mod entries;
+mod lone;
 mod normals;
 mod range;
 mod roots;
@@ -9,7 +10,10 @@ mod survey;
 mod tile;
 mod trails;
 
-pub(crate) use beams::{AssembleLeaves, Leaves, SurveyGrid, WithBeams};
+pub(crate) use beams::{
+    AssembleLeaves, AssembleOperand, Leaves, OnPicture, Operand, SurveyGrid, WithBeams,
+};
+pub(crate) use lone::{Lone, TraceLone};
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use range::RangeAlong;
 pub(crate) use roots::AlongRay;

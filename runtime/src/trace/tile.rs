@@ -2,25 +2,22 @@
 
 use core::marker::PhantomData;
 
-use super::beams::{OverGroup, WithBeams};
+use super::beams::OverGroup;
 use super::{Bind, Entries, FirstRoots, OnRays};
 use crate::beam::{Bundle, Findings, Grid, Hint, Request, Rows, Scout, Single, Space};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
 use crate::render::tile::{Event, PACKETS_OF_CELL, PacketRays, Tile, View};
-use crate::solve::{Brackets, Events, Settings};
+use crate::scene::TileJob;
+use crate::solve::{Brackets, Events, Roots, Settings};
 use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
 
 /// Traces one surface through a tile, and keeps what is nearer than what the tile holds.
 pub(crate) struct TraceTile<'a, S: Surface, C> {
     pub prepared: &'a S::Prepared,
-    pub settings: &'a Settings,
-    pub domain: &'a [[f64; 3]; 2],
-    pub index: u16,
-    pub view: &'a View<'a>,
-    pub beams: Option<WithBeams<'a>>,
+    pub job: &'a TileJob<'a>,
     /// What is known about the whole tile.
     pub hint: Hint,
     /// The rows that matter there.
@@ -34,24 +31,14 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        let mut trace = Packets::<S, C, P> {
-            p,
-            prepared: self.prepared,
-            settings: self.settings,
-            own: (*self.domain != self.tile.domain).then_some(self.domain),
-            index: self.index,
-            view: self.view,
-            tile: self.tile,
-            bound: S::unbound::<P>(p),
-            events: Events::default(),
-            solver: PhantomData,
-        };
-        let over = match (self.beams, self.hint.single) {
-            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, &beams),
+        let TileJob { beams, index, .. } = *self.job;
+        let mut trace = Packets::<S, C, P>::new(p, self.prepared, self.job, index, self.tile);
+        let over = match (beams, self.hint.single) {
+            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, beams.leaves),
             _ => None,
         };
         let known = (&self.hint, self.rows);
-        match (over, self.beams) {
+        match (over, beams) {
             (Some(mut over), Some(beams)) => trace.cells(Some((&mut over, beams.space)), known),
             _ => trace.cells(None, known),
         }
@@ -59,7 +46,7 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
 }
 
 /// Packet after packet of a tile.
-struct Packets<'a, S: Surface, C, P: Packet> {
+pub(super) struct Packets<'a, S: Surface, C, P: Packet> {
     p: P,
     prepared: &'a S::Prepared,
     settings: &'a Settings,
@@ -73,7 +60,29 @@ struct Packets<'a, S: Surface, C, P: Packet> {
     solver: PhantomData<C>,
 }
 
-impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
+impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
+    #[inline(always)]
+    pub fn new(
+        p: P,
+        prepared: &'a S::Prepared,
+        job: &TileJob<'a>,
+        index: u16,
+        tile: &'a mut Tile,
+    ) -> Self {
+        Packets {
+            p,
+            prepared,
+            settings: job.settings,
+            own: (*job.domain != tile.domain).then_some(job.domain),
+            index,
+            view: job.view,
+            tile,
+            bound: S::unbound::<P>(p),
+            events: Events::default(),
+            solver: PhantomData,
+        }
+    }
+
     /// Traces the packets that may show something, as beams through the cells and, where these do not suffice, through the
     /// packets tell. Without beams, or where all is known, nothing is looked at again.
     #[inline(always)]
@@ -186,7 +195,6 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         left: &Left<P>,
     ) -> Left<P> {
         let p = self.p;
-        let corner = self.tile.corner_of(number);
         let packet = &mut self.tile.packets[number];
         let (mut over, live) = segment(p, packet, self.own);
         let entry = p.lanes(packet.record.entry);
@@ -204,56 +212,19 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         if !p.any(live) {
             return left;
         }
-        over.lo = p.select(live, over.lo, p.splat(0.0));
-        over.hi = p.select(live, over.hi, p.splat(0.0));
-        let end = p.select(live, over.hi, p.splat(-1.0));
-        let rays = Rays::recentred(p, &packet.lines, entry, end);
-        self.tile.counts.note(active);
-        p.call(Bind::<S, P> {
-            prepared: self.prepared,
-            rays: &rays,
-            active,
-            bound: &mut self.bound,
-        });
-        // A closed form needs no bracket.
-        let closed = self.settings.closed_forms && S::quadric(&self.bound).is_some();
         let known = match &hint.single {
-            Some(single) if !closed => {
-                let mut known = brackets(p, single, entry, &over, live);
-                let start = p.sub_rn(self.view.linear(p, corner, &single.plane), entry);
-                known.guess = p.min_f(p.max_f(start, known.t.lo), known.t.hi);
-                Some(known)
-            }
-            _ => None,
+            Some(single) => Some(self.brackets(number, single, &over, live)),
+            None => None,
         };
-        let single = known.as_ref().map_or(p.none(), |known| known.found);
-        self.tile.counts.single += u64::from(p.bits(single).count_ones());
-        let mut surface = OnRays {
-            entries: Entries::<S, P> {
-                prepared: self.prepared,
-                bound: &self.bound,
-                rays: &rays,
-            },
-            counts: &mut self.tile.counts,
-            spent: left.spent,
+        let first = hint.length;
+        let piece = Piece {
+            over,
+            live,
+            known,
+            first,
         };
-        let job = FirstRoots::<S, P> {
-            surface: &mut surface,
-            settings: self.settings,
-            lines: &packet.lines,
-            entry,
-            over: &over,
-            live: p.and_not(live, single),
-            first: p.splat(hint.length),
-            known: known.as_ref(),
-            first_only: true,
-            twice: self.settings.narrowing.twice(true),
-            events: &mut self.events,
-            cuts: None,
-            solver: C::solver(),
-        };
-        let roots = job.find(p);
-        left.spent = surface.spent;
+        let roots = self.roots(number, active, piece, &mut left.spent);
+        let packet = &mut self.tile.packets[number];
         let mut hit = roots.hit;
         if self.events.touched != 0 && reach < f64::INFINITY {
             // What the end of the reach, or rows that were left out, may have caused is looked at again.
@@ -271,6 +242,123 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         }
         left
     }
+
+    /// Finds the roots of a packet whose rays have one each: on which rays it did. It does not on those that leave the box
+    /// where the roots are.
+    #[inline(always)]
+    pub fn only(&mut self, number: usize, single: &Single, active: &Active) -> u8 {
+        let p = self.p;
+        let (over, live) = segment(p, &self.tile.packets[number], self.own);
+        let known = self.brackets(number, single, &over, live);
+        if !p.any(known.found) {
+            return 0;
+        }
+        let piece = Piece {
+            over: known.t,
+            live: known.found,
+            known: Some(known),
+            first: 0.0,
+        };
+        let roots = self.roots(number, active, piece, &mut p.splat(0.0));
+        let packet = &mut self.tile.packets[number];
+        keep(p, packet, roots.hit, &roots.t, self.index);
+        if self.events.touched != 0 {
+            let events = (&mut self.events, &mut self.tile.events);
+            collect(packet, number as u16, self.index, events);
+        }
+        p.bits(known.found)
+    }
+
+    /// The brackets of the rays that stay in the box while they are in the piece that holds their only root.
+    #[inline(always)]
+    fn brackets(
+        &self,
+        number: usize,
+        single: &Single,
+        over: &Interval<P::F>,
+        live: P::M,
+    ) -> Brackets<P> {
+        let p = self.p;
+        let entry = p.lanes(self.tile.packets[number].record.entry);
+        let mut known = brackets(p, single, entry, over, live);
+        let corner = self.tile.corner_of(number);
+        let start = p.sub_rn(self.view.linear(p, corner, &single.plane), entry);
+        known.guess = p.min_f(p.max_f(start, known.t.lo), known.t.hi);
+        known
+    }
+
+    /// The roots of a packet's rays over a piece.
+    #[inline(always)]
+    fn roots(
+        &mut self,
+        number: usize,
+        active: &Active,
+        piece: Piece<P>,
+        spent: &mut P::F,
+    ) -> Roots<P> {
+        let p = self.p;
+        let Piece {
+            mut over,
+            live,
+            known,
+            first,
+        } = piece;
+        over.lo = p.select(live, over.lo, p.splat(0.0));
+        over.hi = p.select(live, over.hi, p.splat(0.0));
+        let end = p.select(live, over.hi, p.splat(-1.0));
+        let packet = &self.tile.packets[number];
+        let entry = p.lanes(packet.record.entry);
+        let rays = Rays::recentred(p, &packet.lines, entry, end);
+        self.tile.counts.note(active);
+        p.call(Bind::<S, P> {
+            prepared: self.prepared,
+            rays: &rays,
+            active,
+            bound: &mut self.bound,
+        });
+        // A closed form needs no bracket.
+        let closed = self.settings.closed_forms && S::quadric(&self.bound).is_some();
+        let known = known.filter(|_| !closed);
+        let single = known.as_ref().map_or(p.none(), |known| known.found);
+        self.tile.counts.single += u64::from(p.bits(single).count_ones());
+        let mut surface = OnRays {
+            entries: Entries::<S, P> {
+                prepared: self.prepared,
+                bound: &self.bound,
+                rays: &rays,
+            },
+            counts: &mut self.tile.counts,
+            spent: *spent,
+        };
+        let job = FirstRoots::<S, P> {
+            surface: &mut surface,
+            settings: self.settings,
+            lines: &packet.lines,
+            entry,
+            over: &over,
+            live: p.and_not(live, single),
+            first: p.splat(first),
+            known: known.as_ref(),
+            first_only: true,
+            twice: self.settings.narrowing.twice(true),
+            events: &mut self.events,
+            cuts: None,
+            solver: C::solver(),
+        };
+        let roots = job.find(p);
+        *spent = surface.spent;
+        roots
+    }
+}
+
+/// Where rays of a packet are searched.
+struct Piece<P: Packet> {
+    over: Interval<P::F>,
+    live: P::M,
+    /// Those with one root.
+    known: Option<Brackets<P>>,
+    /// How long the first steps are.
+    first: f64,
 }
 
 /// Rays that are still to be searched, from where, and the evaluations that they took so far.

@@ -27,7 +27,7 @@ const SHORTEST: f64 = 0.5;
 impl<P: Packet> Surveyor<'_, P> {
     #[inline(always)]
     pub(super) fn value(&mut self, over: &Slab<P::F>) -> Enclosed<P, 1> {
-        *self.count += 1;
+        *self.count += self.surface.parts();
         self.surface.value(self.p, over)
     }
 
@@ -46,7 +46,7 @@ impl<P: Packet> Surveyor<'_, P> {
 
     #[inline(always)]
     pub(super) fn slope(&mut self, over: Slab<P::F>, direction: Direction) -> Enclosed<P, 2> {
-        *self.count += 1;
+        *self.count += self.surface.parts();
         let towards = self.group.towards(self.p, over, direction);
         self.surface.slope(self.p, &towards)
     }

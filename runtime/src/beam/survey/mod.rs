@@ -12,6 +12,10 @@ use march::Surveyor;
 
 /// A surface over eight beams. An object, so that the survey is compiled once per instruction set.
 pub(crate) trait Bundle<P: Packet> {
+    /// How many surfaces one evaluation looks at.
+    fn parts(&self) -> u64 {
+        1
+    }
     /// Moves the picture's leaves to other beams, for these rows.
     fn shift(&mut self, p: P, shift: &Shift<P>, active: &Active);
     /// f over a piece.

@@ -79,7 +79,7 @@ impl<P: Packet> Surveyor<'_, P> {
     fn plainly(&mut self, x: P::F, direction: Direction) -> [P::F; 2] {
         let p = self.p;
         let half = p.splat(0.5);
-        *self.count += 1;
+        *self.count += self.surface.parts();
         let f = self.surface.slope(p, &self.middle(x, direction));
         f.d.map(|f| p.mul_rn(half, p.add_rn(f.lo, f.hi)))
     }
