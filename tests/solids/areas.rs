@@ -1,5 +1,5 @@
-//! Beams through solids: they change no verdict, and what they claim of areas holds. No ray through a cell that is hit passes, and none through a cell that is missed
-//! meets a root, as the same solid in one formula tells ray by ray.
+//! Beams through solids: they change no verdict, and what they claim of areas holds. No ray through a cell that is hit
+//! passes, and none through a cell that is missed meets a root, as the same solid in one formula tells ray by ray.
 
 use crate::compare::HALF;
 use crate::pairs::pairs;

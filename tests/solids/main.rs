@@ -1,5 +1,5 @@
 //! Solids against the same solids written with min and max in one formula; coincident, touching and undefined operands;
-//! what is skipped; areas and volumes.
+//! what is skipped; areas, volumes and budgets.
 
 // Documentation of these surfaces stands in their formulas.
 #![allow(missing_docs)]

@@ -25,7 +25,7 @@
 //! # What is proved
 //!
 //! The solid's f is that of the formula with `max(a, b)` for `a & b`, `min(a, b)` for `a | b` and `-a` for `!a`, and the
-//! [verdicts](crate::verdict) speak of it. Each operand is traced for itself, over the whole of the solid's box. Between
+//! [verdicts](crate::verdict) speak of it. Each operand is traced for itself, wherever it can matter. Between
 //! its events it has no root, and one certain sign, found by an enclosure, tells on which side the ray is; the number of
 //! roots is never counted. Where the side of each operand that matters is certain, so is that of the solid. A root of one
 //! operand, where all others are on certain sides, is one of the solid or none. Where events of several operands overlap,

@@ -131,6 +131,9 @@ impl<'a> Sweep<'a> {
         if searched.lo <= t.lo && t.hi <= searched.hi {
             return *side;
         }
+        if searched.lo > searched.hi && survey.iter().all(|side| *side == survey[0]) {
+            return survey[0];
+        }
         let inside = t.intersect(searched).map(|_| *side);
         let before = Interval {
             lo: t.lo,

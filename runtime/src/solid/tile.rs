@@ -1,5 +1,7 @@
 //! The operands of a solid along the rays of a tile: each is traced only where it can matter.
 
+use std::borrow::Cow;
+
 use super::over::side;
 use super::span::Span8;
 use super::sweep::{Operand, Sweep};
@@ -16,7 +18,8 @@ const MARGIN: f64 = 1.0 / 65536.0;
 
 /// Eight rays per packet, and what is known of each operand on them.
 pub(super) struct Explored<'a> {
-    node: &'a Node,
+    /// What of the solid's tree may matter.
+    node: Cow<'a, Node>,
     pieces: [Interval; 8],
     operands: Vec<Surveyed>,
 }
@@ -86,18 +89,41 @@ impl<'a, 't> Explorer<'a, 't> {
 
     /// Traces the operands over `over`, one segment for each ray; nothing if no ray meets the solid's boundary.
     pub fn explore(mut self, known: Known, over: &[Span8]) -> Option<Explored<'a>> {
-        let node = &self.solid.node;
         let mut operands = Vec::with_capacity(self.solid.leaves.len());
         operands.resize_with(self.solid.leaves.len(), Surveyed::default);
-        self.survey(known, over, &mut operands);
-        let mut anything = false;
+        let node = match known {
+            Known::Around(beam) => self.survey(beam, &mut operands),
+            Known::Sides(choices) => self.open(choices, over, &mut operands),
+        };
+        if let Some(node) = &node {
+            self.visit(node, over, &mut operands);
+        }
+        self.count(over, &operands);
+        Some(Explored {
+            node: node?,
+            pieces: self.pieces,
+            operands,
+        })
+    }
+
+    /// Surveys the operands over pieces of the rays, and finds out on which of these each may matter; nothing if none does.
+    fn survey(&mut self, beam: &Beam, operands: &mut [Surveyed]) -> Option<Cow<'a, Node>> {
+        let PreparedSolid { node, leaves } = self.solid;
+        node.sides(&mut |leaf| {
+            let survey = leaves[leaf].survey(self.look.isa, beam, self.counts);
+            operands[leaf].survey = survey;
+            survey
+        });
+        self.pieces = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| eighth(beam.end, k));
+        self.margin = MARGIN * beam.end;
+        let mut open = None;
         for (k, piece) in self.pieces.into_iter().enumerate() {
             let sides: Vec<Side> = operands.iter().map(|o| o.survey[k]).collect();
             let side = |leaf: usize| sides[leaf];
-            if piece.lo > piece.hi || node.side(&side) != Side::Unknown {
+            if node.side(&side) != Side::Unknown {
                 continue;
             }
-            anything = true;
+            open = Some(Cow::Borrowed(node));
             node.relevant(&side, &mut |leaf| {
                 let relevant = &mut operands[leaf].relevant;
                 if sides[leaf] == Side::Unknown {
@@ -105,40 +131,25 @@ impl<'a, 't> Explorer<'a, 't> {
                 }
             });
         }
-        if anything {
-            self.visit(node, over, &mut operands);
-        }
-        self.count(over, &operands);
-        anything.then_some(Explored {
-            node,
-            pieces: self.pieces,
-            operands,
-        })
+        open
     }
 
-    /// The sides of the operands on pieces of the rays.
-    fn survey(&mut self, known: Known, over: &[Span8], operands: &mut [Surveyed]) {
-        let PreparedSolid { node, leaves } = self.solid;
-        let end = match known {
-            Known::Around(beam) => {
-                node.sides(&mut |leaf| {
-                    let survey = leaves[leaf].survey(self.look.isa, beam, self.counts);
-                    operands[leaf].survey = survey;
-                    survey
-                });
-                self.pieces = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| eighth(beam.end, k));
-                beam.end
-            }
-            Known::Sides(choices) => {
-                for (operand, choice) in operands.iter_mut().zip(choices) {
-                    operand.survey[0] = side(*choice);
-                }
-                let end = over.iter().flat_map(|span| span.hi).fold(0.0, f64::max);
-                self.pieces[0] = Interval { lo: 0.0, hi: end };
-                end
-            }
-        };
-        self.margin = MARGIN * end;
+    /// What of the tree is open where the sides of operands are known; nothing if that of the solid is.
+    fn open(
+        &mut self,
+        choices: &[Choice],
+        over: &[Span8],
+        operands: &mut [Surveyed],
+    ) -> Option<Cow<'a, Node>> {
+        let open = self.solid.node.given(&|leaf| side(choices[leaf])).ok()?;
+        let end = over.iter().flat_map(|span| span.hi).fold(0.0, f64::max);
+        let whole = Interval { lo: 0.0, hi: end };
+        (self.pieces[0], self.margin) = (whole, MARGIN * end);
+        for (operand, choice) in operands.iter_mut().zip(choices) {
+            operand.survey = [side(*choice); 8];
+        }
+        open.leaves(&mut |leaf| operands[leaf].relevant = Some(whole));
+        Some(Cow::Owned(open))
     }
 
     /// Counts what was not searched.
@@ -299,7 +310,7 @@ impl Explored<'_> {
     /// A sweep over its rays.
     pub fn sweep(&self, first_only: bool) -> Sweep<'_> {
         Sweep {
-            node: self.node,
+            node: &self.node,
             pieces: self.pieces,
             operands: Vec::with_capacity(self.operands.len()),
             first_only,

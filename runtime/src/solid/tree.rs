@@ -273,6 +273,29 @@ mod tests {
     }
 
     #[test]
+    fn what_is_left_has_the_side_of_the_whole() {
+        let node = drilled();
+        let digits = |n: usize| [n % 3, n / 3 % 3, n / 9].map(|k| [Out, Unknown, In][k]);
+        let mut left = 0;
+        for (known, all) in (0..27).flat_map(|i| (0..27).map(move |k| (digits(i), digits(k)))) {
+            let agree = known.iter().zip(&all).all(|(a, b)| *a == Unknown || a == b);
+            if !agree || all.contains(&Unknown) {
+                continue;
+            }
+            let side = match node.given(&|i: usize| known[i]) {
+                Ok(open) => {
+                    left += 1;
+                    open.leaves(&mut |i| assert_eq!(known[i], Unknown));
+                    open.side(&|i: usize| all[i])
+                }
+                Err(side) => side,
+            };
+            assert_eq!(side, node.side(&|i: usize| all[i]), "{known:?}, {all:?}");
+        }
+        assert!(left > 20, "{left}");
+    }
+
+    #[test]
     fn chains_are_one_node() {
         let node = (0..1000).map(Node::Leaf).reduce(Node::or).expect("some");
         assert!(matches!(&node, Node::Either(parts) if parts.len() == 1000));

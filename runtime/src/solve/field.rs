@@ -54,7 +54,8 @@ pub struct Evaluations {
     pub gradient: u64,
     /// Rays decided by the discriminant of a quadric, without a search.
     pub closed: u64,
-    /// Operands of solids that were not searched along a ray, because they cannot matter there: one by one and ray by ray.
+    /// Operands of solids that were not searched along a ray or a piece of it, because they cannot matter there: one by one
+    /// and ray by ray, of rays that beams leave open.
     pub spared: u64,
     /// Operands of solids that were searched along a part of a ray only.
     pub shortened: u64,

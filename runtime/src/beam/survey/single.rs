@@ -1,10 +1,29 @@
 //! Beams on each of whose rays there is exactly one root.
 
 use super::Found;
-use super::march::Surveyor;
-use crate::beam::Direction;
+use super::march::{Sides, Surveyor};
+use crate::beam::{Direction, Slab};
 use crate::interval::{Interval, Packet};
 use crate::solve::{differentiable, nonzero, select};
+
+/// A piece around a root of the middle ray.
+struct Trial {
+    /// How far behind the root it ends, beside how far before it begins.
+    behind: f64,
+    /// Is f on its end faces enclosed with derivatives there, or with those of the whole piece?
+    own_sides: bool,
+}
+
+/// It does on faces that the rays meet steeply, …
+const NEAR: Trial = Trial {
+    behind: 1.25,
+    own_sides: false,
+};
+/// … and this on others, at a higher price.
+const WIDE: Trial = Trial {
+    behind: 4.0,
+    own_sides: true,
+};
 
 impl<P: Packet> Surveyor<'_, P> {
     /// Every ray of a beam has exactly one root in a piece if f has opposite certain signs on its two end faces, is continuous
@@ -14,12 +33,24 @@ impl<P: Packet> Surveyor<'_, P> {
         let p = self.p;
         let front = found.front;
         let root = self.guess(front);
+        self.try_single(found, root, &NEAR);
+        self.try_single(found, root, &WIDE);
+        if p.any(found.one) {
+            found.plane = self.plane(root);
+        }
+    }
+
+    /// Tries a piece for the beams that are open.
+    #[inline(always)]
+    fn try_single(&mut self, found: &mut Found<P>, root: P::F, trial: &Trial) {
+        let p = self.p;
+        let front = found.front;
         let ahead = p.sub_rn(root, front);
-        let back = p.add_rn(root, p.mul_rn(ahead, p.splat(1.25)));
+        let back = p.add_rn(root, p.mul_rn(ahead, p.splat(trial.behind)));
         let slack = p.splat(8.0 * self.group.slack());
         let back = p.max_f(p.add_rn(back, slack), front);
         let likely = p.and(
-            found.open,
+            p.and_not(found.open, found.one),
             p.and(p.le(back, self.stretch.end), p.lt(front, back)),
         );
         if !p.any(likely) {
@@ -47,18 +78,32 @@ impl<P: Packet> Surveyor<'_, P> {
             lo: p.sub_rd(back, slack),
             hi: back,
         };
-        let before = self.mean(&first, &slab, &sides);
-        let behind = self.mean(&last, &slab, &sides);
+        let before = self.face(&first, trial, steep, (&slab, &sides));
+        let behind = self.face(&last, trial, steep, (&slab, &sides));
         let zero = p.splat(0.0);
         let rises = p.and(p.lt(before.hi, zero), p.lt(zero, behind.lo));
         let falls = p.and(p.lt(zero, before.lo), p.lt(behind.hi, zero));
         let one = p.and(p.and(steep, sides.usable), p.or(rises, falls));
-        found.one = one;
+        found.one = p.or(found.one, one);
         found.back = p.select(one, back, found.back);
         found.slope = select(p, one, &along.d[1], &found.slope);
-        if p.any(one) {
-            found.plane = self.plane(root);
+    }
+
+    /// f on an end face of a slab.
+    #[inline(always)]
+    fn face(
+        &mut self,
+        t: &Interval<P::F>,
+        trial: &Trial,
+        live: P::M,
+        (slab, sides): (&Slab<P::F>, &Sides<P>),
+    ) -> Interval<P::F> {
+        if !trial.own_sides {
+            return self.mean(t, slab, sides);
         }
+        let slab = self.group.slab(self.p, t);
+        let sides = self.sides(slab, live);
+        self.mean(t, &slab, &sides)
     }
 
     /// The tangential plane at a root of the middle ray: t there, and its change per pixel.
