@@ -13,6 +13,7 @@ mod growth;
 mod judge;
 mod models;
 mod packets;
+mod rigour;
 mod shapes;
 mod timing;
 mod truth;
@@ -22,7 +23,7 @@ mod view;
 
 use clap::{Parser, ValueEnum};
 
-/// zeroset beside fidget and POV-Ray; growth with pixels and terms; packets; what each skip saves.
+/// zeroset beside fidget and POV-Ray; growth with pixels and terms; packets; the price of rigour; what each skip saves.
 #[derive(Parser)]
 struct Arguments {
     /// What to measure; all of it if not given. May be repeated.
@@ -57,6 +58,7 @@ enum Section {
     Povray,
     Growth,
     Packets,
+    Rigour,
     Ablation,
 }
 
@@ -99,6 +101,9 @@ fn main() {
     }
     if wanted(Section::Packets) {
         packets::run(&shapes, &arguments);
+    }
+    if wanted(Section::Rigour) {
+        rigour::run(&shapes, &arguments);
     }
     if wanted(Section::Ablation) {
         ablation::run(&shapes, &arguments);

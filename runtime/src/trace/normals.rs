@@ -41,6 +41,7 @@ impl<S: Surface, P: Packet> Routine<P> for Gradient<'_, S, P> {
 
 impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
     type Output = ();
+    const IN_PARTS: bool = true;
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
@@ -58,17 +59,21 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
             for (lane, surface) in packet.record.surface.iter().enumerate() {
                 shown &= !(u8::from(*surface != index) << lane);
             }
-            if shown == 0 {
-                continue;
+            for part in 0..P::PARTS {
+                let p = p.part(part);
+                let shown = shown & p.bits(p.all());
+                if shown == 0 {
+                    continue;
+                }
+                let point = points(p, packet);
+                let [_, x, y, z] = p.call(Gradient::<S, P> {
+                    prepared,
+                    point: &point,
+                });
+                tile.counts.gradient += u64::from(shown.count_ones());
+                tile.counts.packets += 1;
+                store(p, packet, [x, y, z], shown);
             }
-            let point = points(p, packet);
-            let [_, x, y, z] = p.call(Gradient::<S, P> {
-                prepared,
-                point: &point,
-            });
-            tile.counts.gradient += u64::from(shown.count_ones());
-            tile.counts.packets += 1;
-            store(p, packet, [x, y, z], shown);
         }
     }
 }
@@ -109,9 +114,10 @@ fn store<P: Packet>(p: P, packet: &mut PacketRays, g: [P::F; 3], shown: u8) {
     let scale = p.select(p.lt(zero, towards), p.neg_f(scale), scale);
     for (axis, &component) in g.iter().enumerate() {
         let n = p.to_array(p.select(fine, p.mul_rn(component, scale), zero));
-        for (lane, kept) in packet.record.normal[axis].iter_mut().enumerate() {
+        let kept = &mut packet.record.normal[axis];
+        for lane in p.own() {
             let own = shown >> lane & 1 != 0;
-            *kept = if own { n[lane] as f32 } else { *kept };
+            kept[lane] = if own { n[lane] as f32 } else { kept[lane] };
         }
     }
 }
