@@ -2,6 +2,8 @@
 
 mod beams;
 mod entries;
+#[cfg(feature = "limit")]
+pub mod limit;
 mod normals;
 mod range;
 mod roots;

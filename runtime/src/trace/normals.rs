@@ -26,9 +26,9 @@ impl<'a, S: Surface> NormalsOfTile<'a, S> {
 }
 
 /// The gradient, a function of its own.
-struct Gradient<'a, S: Surface, P: Packet> {
-    prepared: &'a S::Prepared,
-    point: &'a [P::F; 3],
+pub(super) struct Gradient<'a, S: Surface, P: Packet> {
+    pub prepared: &'a S::Prepared,
+    pub point: &'a [P::F; 3],
 }
 
 impl<S: Surface, P: Packet> Routine<P> for Gradient<'_, S, P> {
@@ -80,7 +80,7 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
 
 /// Where the shown roots are: from the entry, so that far cameras lose nothing.
 #[inline(always)]
-fn points<P: Packet>(p: P, packet: &PacketRays) -> [P::F; 3] {
+pub(super) fn points<P: Packet>(p: P, packet: &PacketRays) -> [P::F; 3] {
     let half = p.splat(0.5);
     let t = p.add_rn(
         p.mul_rn(p.lanes(packet.record.lo), half),
