@@ -196,12 +196,14 @@ impl Camera {
             let shift = p.add_rn(p.mul_rn(p.splat(right[k]), u), p.mul_rn(p.splat(up[k]), v));
             match self.lens {
                 Lens::Perspective => {
-                    lines.origin[k] = [from[k]; 8];
-                    lines.direction[k] = p.to_array(p.add_rn(p.splat(forward[k]), shift));
+                    p.store(p.splat(from[k]), &mut lines.origin[k]);
+                    let direction = p.add_rn(p.splat(forward[k]), shift);
+                    p.store(direction, &mut lines.direction[k]);
                 }
                 Lens::Orthographic => {
-                    lines.origin[k] = p.to_array(p.add_rn(p.splat(from[k]), shift));
-                    lines.direction[k] = [forward[k]; 8];
+                    let origin = p.add_rn(p.splat(from[k]), shift);
+                    p.store(origin, &mut lines.origin[k]);
+                    p.store(p.splat(forward[k]), &mut lines.direction[k]);
                 }
             }
         }

@@ -60,6 +60,9 @@ pub mod solid;
 pub mod solve;
 pub mod surface;
 mod trace;
+#[cfg(feature = "limit")]
+#[doc(hidden)]
+pub use trace::limit;
 pub mod verdict;
 
 pub use camera::Camera;

@@ -11,8 +11,12 @@
 mod ablation;
 mod growth;
 mod judge;
+#[cfg(feature = "limit")]
+mod limit;
 mod models;
 mod packets;
+mod picture;
+mod rigour;
 mod shapes;
 mod timing;
 mod truth;
@@ -22,7 +26,7 @@ mod view;
 
 use clap::{Parser, ValueEnum};
 
-/// zeroset beside fidget and POV-Ray; growth with pixels and terms; packets; what each skip saves.
+/// zeroset beside fidget and POV-Ray; growth with pixels and terms; packets; the price of rigour; what no render can avoid; what each skip saves.
 #[derive(Parser)]
 struct Arguments {
     /// What to measure; all of it if not given. May be repeated.
@@ -49,6 +53,9 @@ struct Arguments {
     /// The largest number of terms and spheres of the growth table, up to 4096.
     #[arg(long, default_value_t = 512)]
     terms: usize,
+    /// Writes a picture of the thin shell by fidget and by zeroset, side by side, and measures nothing.
+    #[arg(long, value_name = "FILE")]
+    picture: Option<std::path::PathBuf>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -57,6 +64,8 @@ enum Section {
     Povray,
     Growth,
     Packets,
+    Rigour,
+    Limit,
     Ablation,
 }
 
@@ -71,6 +80,13 @@ fn main() {
             "a picture of {bad} pixels: give a power of two from 8, so that both peers see the same rays"
         );
         std::process::exit(2);
+    }
+    if let Some(path) = &arguments.picture {
+        if let Err(error) = picture::write(path) {
+            eprintln!("{}: {error}", path.display());
+            std::process::exit(1);
+        }
+        return;
     }
     let wanted = |s| arguments.section.is_empty() || arguments.section.contains(&s);
     let mut shapes = shapes::all();
@@ -99,6 +115,15 @@ fn main() {
     }
     if wanted(Section::Packets) {
         packets::run(&shapes, &arguments);
+    }
+    if wanted(Section::Rigour) {
+        rigour::run(&shapes, &arguments);
+    }
+    if wanted(Section::Limit) {
+        #[cfg(feature = "limit")]
+        limit::run(&shapes, &arguments);
+        #[cfg(not(feature = "limit"))]
+        println!("\nSKIPPED beside the limit: not compiled; build with --features limit");
     }
     if wanted(Section::Ablation) {
         ablation::run(&shapes, &arguments);

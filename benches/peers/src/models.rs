@@ -112,14 +112,14 @@ fn sqrt<N: Number>(a: N) -> N {
 }
 
 /// A model in all forms.
-pub trait Model: zeroset::Surface + Default + 'static {
+pub trait Model: zeroset::Surface + Clone + Default + 'static {
     fn by_hand(p: [f64; 3]) -> f64;
     fn tree(axes: [Shared; 3]) -> Shared;
 }
 
 macro_rules! model {
     ($name:ident($x:ident, $y:ident, $z:ident) $($body:tt)*) => {
-        implicit! { #[derive(Default)] pub struct $name; $($body)* }
+        implicit! { #[derive(Clone, Default)] pub struct $name; $($body)* }
 
         impl Model for $name {
             fn by_hand([$x, $y, $z]: [f64; 3]) -> f64 {

@@ -1,61 +1,133 @@
-//! The same render on every back-end of this processor. All of them have eight lanes.
+//! The same render on every back-end of this processor, and by the same algorithms with one lane in place of eight.
 
 use crate::Arguments;
 use crate::shapes::Shape;
-use crate::timing::{Contender, digits, interleave, pool, timed};
+use crate::timing::{Contender, Spread, digits, interleave, pool, timed};
 use crate::view::{Place, View};
-use zeroset::interval::Isa;
-use zeroset::render::render;
+use std::mem::discriminant;
+use zeroset::interval::{Isa, IsaError};
+use zeroset::render::{Rendering, render};
 
 const SIZE: u32 = 512;
-const NAMES: [&str; 3] = ["avx512", "avx2", "portable"];
+const NAMES: [&str; 4] = ["avx512", "avx512-one", "avx2", "portable"];
+
+/// The back-ends of these names, as far as they are there and compiled.
+pub fn back_ends<const N: usize>(names: [&str; N]) -> [Result<Isa, IsaError>; N] {
+    names.map(Isa::named)
+}
+
+/// Says of each that is missing why it is.
+pub fn say_skipped<const N: usize>(
+    section: &str,
+    names: [&str; N],
+    back_ends: &[Result<Isa, IsaError>; N],
+) {
+    println!();
+    for (name, back_end) in names.iter().zip(back_ends) {
+        match back_end {
+            Ok(_) => {}
+            Err(IsaError::Unknown { .. }) => println!(
+                "SKIPPED {section}, {name}: not compiled; build with --features one-lane,unrounded"
+            ),
+            Err(error) => println!("SKIPPED {section}, {name}: {error}"),
+        }
+    }
+}
+
+/// A picture on one back-end.
+pub fn picture(shape: &Shape, view: &View, isa: Isa) -> Rendering {
+    let mut options = view.options();
+    options.isa = Some(isa);
+    render(&shape.scene, &view.camera(), &options).expect("a valid scene")
+}
+
+/// Times of a picture on each back-end, interleaved, on one thread.
+pub fn times<const N: usize>(
+    shape: &Shape,
+    view: &View,
+    back_ends: &[Result<Isa, IsaError>; N],
+    runs: usize,
+) -> [Option<Spread>; N] {
+    let pool = &pool(1);
+    let mut contenders: Vec<Contender> = Vec::new();
+    for &isa in back_ends.iter().flatten() {
+        contenders.push(Box::new(move || {
+            timed(1, || pool.install(|| picture(shape, view, isa)))
+        }));
+    }
+    let mut times = interleave(runs, &mut contenders).into_iter();
+    back_ends
+        .each_ref()
+        .map(|b| b.is_ok().then(|| times.next()).flatten())
+}
+
+/// The quotient of two medians, for a cell of a table.
+pub fn quotient(above: Option<Spread>, below: Option<Spread>) -> String {
+    match (above, below) {
+        (Some(a), Some(b)) => digits(a.median / b.median),
+        _ => "—".to_owned(),
+    }
+}
 
 /// Milliseconds of processor time on each.
 pub fn run(shapes: &[Shape], arguments: &Arguments) {
     println!("\n### Packets, {SIZE}², one thread, ms\n");
     println!(
-        "| shape | {} | portable by avx2 | portable by avx512 |\n|---|---|---|---|---|---|",
-        NAMES.join(" | ")
+        "`avx512-one` takes a packet's rays and a group's beams one by one, by the same code, with scalar instructions of AVX-512, which round as the vectors do. *Busy* is how many evaluations it makes for one of eight lanes: no more than so many lanes have work. *Others* counts pixels with another verdict than on eight lanes, and those with another interval: eight lanes use a polynomial's hull only where it tells for all of them.\n"
     );
-    let back_ends = NAMES.map(|name| Isa::named(name).map_err(|e| e.to_string()));
-    let pool = pool(1);
+    println!(
+        "| shape | {} | one lane by eight | busy | avx2 by avx512 | portable by avx512 | others |\n|{}",
+        NAMES.join(" | "),
+        "---|".repeat(10)
+    );
+    let back_ends = back_ends(NAMES);
     let view = View {
         size: SIZE,
         place: Place::Centre,
     };
     for shape in shapes {
-        let mut contenders: Vec<Contender> = Vec::new();
-        for &isa in back_ends.iter().flatten() {
-            let mut options = view.options();
-            options.isa = Some(isa);
-            let (camera, pool) = (view.camera(), &pool);
-            contenders.push(Box::new(move || {
-                let work = || render(&shape.scene, &camera, &options).expect("a valid scene");
-                timed(1, || pool.install(work))
-            }));
+        let mut compared = ["—".to_owned(), "—".to_owned()];
+        if let [Ok(eight), Ok(one), ..] = &back_ends {
+            compared = compare(&picture(shape, &view, *eight), &picture(shape, &view, *one));
         }
-        let mut times = interleave(arguments.runs, &mut contenders).into_iter();
-        let times = back_ends
-            .each_ref()
-            .map(|b| b.is_ok().then(|| times.next()).flatten());
-        let ratio = |of: usize| match (times[of], times[2]) {
-            (Some(a), Some(b)) => digits(b.median / a.median),
-            _ => "—".to_owned(),
-        };
-        let cells = times.map(|t| t.map_or("—".to_owned(), |t| t.cell()));
+        let times = times(shape, &view, &back_ends, arguments.runs);
         println!(
-            "| {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} |",
             shape.name,
-            cells.join(" | "),
-            ratio(1),
-            ratio(0)
+            times
+                .map(|t| t.map_or("—".to_owned(), |t| t.cell()))
+                .join(" | "),
+            quotient(times[1], times[0]),
+            compared[0],
+            quotient(times[2], times[0]),
+            quotient(times[3], times[0]),
+            compared[1],
         );
     }
-    println!();
-    for (name, error) in NAMES.iter().zip(&back_ends) {
-        if let Err(error) = error {
-            println!("SKIPPED packets, {name}: {error}");
+    say_skipped("packets", NAMES, &back_ends);
+}
+
+/// How many evaluations of one lane stand for one of eight, and how many pixels differ.
+fn compare(eight: &Rendering, one: &Rendering) -> [String; 2] {
+    let [all, parts] = [eight, one].map(|picture| {
+        let evaluations = picture.statistics().evaluations;
+        (evaluations.packets + evaluations.beams) as f64
+    });
+    let [verdicts, intervals] = others(eight, one);
+    [digits(parts / all), format!("{verdicts} and {intervals}")]
+}
+
+/// How many pixels have another verdict, and how many another interval.
+pub fn others(first: &Rendering, second: &Rendering) -> [usize; 2] {
+    let pixels = (0..first.height()).flat_map(|j| (0..first.width()).map(move |i| (i, j)));
+    let mut others = [0; 2];
+    for (i, j) in pixels {
+        let (a, b) = (first.answer(i, j), second.answer(i, j));
+        if discriminant(&a.first) != discriminant(&b.first) {
+            others[0] += 1;
+        } else if a != b {
+            others[1] += 1;
         }
     }
-    println!("SKIPPED packets, one lane: the library has no back-end of one lane");
+    others
 }

@@ -15,6 +15,8 @@ pub struct Shape {
     pub at: Box<dyn Fn([f64; 3]) -> f64 + Sync>,
     /// For POV-Ray, where the shape is compared with it.
     pub isosurface: Option<Isosurface>,
+    #[cfg(feature = "limit")]
+    pub limit: crate::limit::Maker,
 }
 
 /// What POV-Ray is told about a shape.
@@ -27,13 +29,14 @@ pub struct Isosurface {
     pub ball: Option<f64>,
 }
 
-implicit! { struct Sphere; x^2 + y^2 + z^2 = 0.64 }
+implicit! { #[derive(Clone)] struct Sphere; x^2 + y^2 + z^2 = 0.64 }
 
-implicit! { struct Torus; (sqrt(x^2 + y^2) - 0.6)^2 + z^2 = 0.0625 }
+implicit! { #[derive(Clone)] struct Torus; (sqrt(x^2 + y^2) - 0.6)^2 + z^2 = 0.0625 }
 
-implicit! { struct Quartic; (x^2 + y^2 + z^2 + 0.2975)^2 = 1.44*(x^2 + y^2) }
+implicit! { #[derive(Clone)] struct Quartic; (x^2 + y^2 + z^2 + 0.2975)^2 = 1.44*(x^2 + y^2) }
 
 implicit! {
+    #[derive(Clone)]
     struct Barth;
     let phi = (1 + sqrt(5)) / 2;
     let p = 1.9*x;
@@ -44,18 +47,21 @@ implicit! {
 }
 
 implicit! {
+    #[derive(Clone)]
     struct Gyroid;
     let g = sin(10*x)*cos(10*y) + sin(10*y)*cos(10*z) + sin(10*z)*cos(10*x);
     max(g, x^2 + y^2 + z^2 - 0.81) = 0
 }
 
 implicit! {
+    #[derive(Clone)]
     struct ThinGyroid;
     let g = sin(10*x)*cos(10*y) + sin(10*y)*cos(10*z) + sin(10*z)*cos(10*x);
     max(abs(g) - 0.2, x^2 + y^2 + z^2 - 0.81) = 0
 }
 
 implicit! {
+    #[derive(Clone)]
     struct Exponentials { rows: [[f64; 9]] }
     0.5 = sum([cx, cy, cz, a, b, c, d, e, f] in rows) {
         exp(-((a*(x - cx) + b*(y - cy) + c*(z - cz))^2 + (d*(y - cy) + e*(z - cz))^2 + (f*(z - cz))^2))
@@ -63,11 +69,13 @@ implicit! {
 }
 
 implicit! {
+    #[derive(Clone)]
     struct Spheres { rows: [[f64; 4]] }
     min([cx, cy, cz, r] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 - r^2 }
 }
 
 implicit! {
+    #[derive(Clone)]
     struct Shell { thickness: f64 }
     max(x^2 + y^2 + z^2 - 0.64, (0.8 - thickness)^2 - (x^2 + y^2 + z^2)) = 0
 }
@@ -114,11 +122,14 @@ pub fn rows<const N: usize>(table: &str) -> Vec<[f64; N]> {
     rows
 }
 
+/// Where all shapes are.
+pub const CUBE: [[f64; 3]; 2] = [[-1.0; 3], [1.0; 3]];
+
 fn within<S: Surface + 'static>(surface: S) -> Scene {
-    Scene::new().with(surface).within([-1.0; 3], [1.0; 3])
+    Scene::new().with(surface).within(CUBE[0], CUBE[1])
 }
 
-fn shape<S: Surface + 'static>(
+fn shape<S: Surface + Clone + 'static>(
     name: &str,
     surface: S,
     tree: Tree,
@@ -126,6 +137,8 @@ fn shape<S: Surface + 'static>(
 ) -> Shape {
     Shape {
         name: name.to_owned(),
+        #[cfg(feature = "limit")]
+        limit: crate::limit::maker(surface.clone()),
         scene: within(surface),
         tree,
         at: Box::new(at),
@@ -240,7 +253,7 @@ fn thin_gyroid() -> Shape {
     })
 }
 
-fn shell(thickness: f64) -> Shape {
+pub fn shell(thickness: f64) -> Shape {
     let inner = (0.8 - thickness) * (0.8 - thickness);
     let tree = ball(0.64).max(ball(inner as f32).neg());
     let name = format!("shell, {thickness} thick");

@@ -85,3 +85,33 @@ fn the_truth_finds_what_lies_between_its_steps() {
     assert!((z - (0.64f64 - 0.05).sqrt()).abs() < 1e-14);
     assert_eq!(truth::first(&shell, [0.6, 0.6], truth::STEPS), None);
 }
+
+/// One lane answers as eight do, to the last bit where no polynomial is in play.
+#[cfg(feature = "one-lane")]
+#[test]
+fn one_lane_answers_as_eight_do() {
+    use crate::packets::{others, picture};
+    use zeroset::interval::Isa;
+
+    let (Ok(eight), Ok(one)) = (Isa::named("avx512"), Isa::named("avx512-one")) else {
+        return;
+    };
+    let view = View {
+        size: SIZE,
+        place: Place::Centre,
+    };
+    for shape in shapes::all() {
+        let [eight, one] = [eight, one].map(|isa| picture(&shape, &view, isa));
+        let [verdicts, intervals] = others(&eight, &one);
+        assert_eq!(verdicts, 0, "{}", shape.name);
+        let polynomial = ["torus, quartic", "Barth sextic"].contains(&&*shape.name);
+        assert!(intervals == 0 || polynomial, "{}: {intervals}", shape.name);
+        // It did go ray by ray.
+        let evaluations = [eight, one].map(|p| p.statistics().evaluations.packets);
+        assert!(
+            evaluations[1] > 3 * evaluations[0],
+            "{}: {evaluations:?}",
+            shape.name
+        );
+    }
+}

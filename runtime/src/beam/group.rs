@@ -30,7 +30,7 @@ impl<'a, P: Packet> Group<'a, P> {
     pub fn new(p: P, frame: &'a Frame, corner: [f64; 2], grid: &Grid) -> Self {
         let [width, height] = grid.part.map(f64::from);
         let (mut x, mut y) = ([0.0; 8], [0.0; 8]);
-        for lane in 0..8 {
+        for lane in p.own() {
             let (column, row) = (lane as u32 % grid.columns, lane as u32 / grid.columns);
             x[lane] = corner[0] + f64::from(column) * width + 0.5 * (width - 1.0);
             y[lane] = corner[1] - f64::from(row) * height - 0.5 * (height - 1.0);

@@ -1,7 +1,7 @@
 //! Leaves of a picture, and leaves of beams inside other beams.
 
 use super::{LinearOver, OverBeams, QuadraticOver};
-use crate::interval::{Interval, Linear, Packet, Quadratic, Rebind, doubled, operation};
+use crate::interval::{Interval, Lanes, Linear, Packet, Quadratic, Rebind, doubled, operation};
 
 /// s·a for a number s.
 #[inline(always)]
@@ -27,24 +27,25 @@ pub(crate) struct Assemble<P>(pub P);
 
 impl<P: Packet> Assemble<P> {
     #[inline(always)]
-    fn lane(&self, a: Interval<P::F>, lane: usize) -> Interval<P::F> {
+    fn lane(&self, a: Interval<<P::Eight as Lanes>::F>, lane: usize) -> Interval<P::F> {
         let p = self.0;
+        let one = |x| p.splat(p.eight().to_array(x)[lane]);
         Interval {
-            lo: p.splat(p.to_array(a.lo)[lane]),
-            hi: p.splat(p.to_array(a.hi)[lane]),
+            lo: one(a.lo),
+            hi: one(a.hi),
         }
     }
 }
 
 impl<P: Packet> Rebind for Assemble<P> {
-    type From = P;
+    type From = P::Eight;
     type To = OverBeams<P>;
     #[inline(always)]
     fn lanes(&self) -> P {
         self.0
     }
     #[inline(always)]
-    fn linear(&self, leaf: &Linear<P>) -> LinearOver<P> {
+    fn linear(&self, leaf: &Linear<P::Eight>) -> LinearOver<P> {
         LinearOver {
             middle: Linear {
                 c0: self.lane(leaf.c0, 0),
@@ -54,7 +55,7 @@ impl<P: Packet> Rebind for Assemble<P> {
         }
     }
     #[inline(always)]
-    fn quadratic(&self, leaf: &Quadratic<P>) -> QuadraticOver<P> {
+    fn quadratic(&self, leaf: &Quadratic<P::Eight>) -> QuadraticOver<P> {
         let p = self.0;
         let along = [0, 1, 2].map(|k| self.lane(leaf.c2, k));
         let mixed = |sum: usize, i: usize, j: usize| {

@@ -43,10 +43,11 @@ struct Compare {
 
 impl Compare {
     fn all<P: Packet>(&self, p: P, tally: &mut Tally) {
-        let rays = self.frame.lines(p);
+        let eight = p.eight();
+        let rays = self.frame.lines(eight);
         let map = Assemble(p);
-        let form = map.quadratic(&product(p, &self.frame));
-        let z = map.linear(&Linear::new(p, rays.origin[2], rays.direction[2]));
+        let form = map.quadratic(&product(eight, &self.frame));
+        let z = map.linear(&Linear::new(eight, rays.origin[2], rays.direction[2]));
         for (size, grid) in [
             (
                 1,

@@ -57,6 +57,8 @@ tokens! {
     #[cfg(target_arch = "x86_64")]
     Avx2(Avx2) = Avx2::detect();
     Portable(Portable) = Some(Portable::new());
+    #[cfg(all(target_arch = "x86_64", feature = "one-lane"))]
+    One(super::One) = super::One::detect();
     #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
     Avx512Unrounded(Avx512<super::ToNearest>) = Avx512::detect();
     #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
@@ -75,6 +77,8 @@ macro_rules! back_ends {
             #[cfg(target_arch = "x86_64")]
             &$of::<$crate::interval::Avx2>::$constant,
             &$of::<$crate::interval::Portable>::$constant,
+            #[cfg(all(target_arch = "x86_64", feature = "one-lane"))]
+            &$of::<$crate::interval::One>::$constant,
             #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]
             &$of::<$crate::interval::Avx512<$crate::interval::ToNearest>>::$constant,
             #[cfg(all(target_arch = "x86_64", feature = "unrounded"))]

@@ -1,5 +1,7 @@
 //! Vectors of `f64` with directed rounding: the primitives that a back-end provides.
 
+use core::ops::Range;
+
 use super::Rounding;
 use super::sealed::Sealed;
 
@@ -30,8 +32,13 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// Do bounds hold, or what is wrong with them? Wrong ones are negative controls.
     type Rounding: Rounding;
 
+    /// The back-end of eight lanes for what a packet is set up with: itself, if it has them.
+    type Eight: super::Packet;
+
     /// How many lanes a vector has: 8 in packets, 1 in scalars.
     const LANES: usize;
+    /// How many tokens serve a packet of eight: one, if it has all lanes, and else one for each part of them.
+    const PARTS: usize = 1;
     /// Is `fma_rn` fused, that is, rounded once?
     const FUSED: bool;
     /// The name that `ZEROSET_ISA` and reports use.
@@ -54,18 +61,36 @@ pub trait Lanes: Copy + Send + Sync + Sealed + 'static {
     /// function of its own an operation is simplified once, and then inlined where it is short.
     fn operation<R: Routine<Self>>(self, routine: R) -> R::Output;
 
+    /// The token of eight lanes.
+    fn eight(self) -> Self::Eight;
+    /// The token of a part.
+    #[inline(always)]
+    fn part(self, _number: usize) -> Self {
+        self
+    }
+    /// The places in arrays of eight that the lanes of this token stand for.
+    #[inline(always)]
+    fn own(self) -> Range<usize> {
+        0..8
+    }
+
     /// The same number in every lane.
     fn splat(self, x: f64) -> Self::F;
     /// Lane `i` is `f(i)`; for set-up code, not for inner loops.
     fn lanes(self, x: [f64; 8]) -> Self::F;
     /// The lanes, padded with the last one.
     fn to_array(self, x: Self::F) -> [f64; 8];
+    /// Writes the lanes to the places that are this token's own.
+    #[inline(always)]
+    fn store(self, x: Self::F, to: &mut [f64; 8]) {
+        *to = self.to_array(x);
+    }
 
     /// Lane-wise `mask ? yes : no`.
     fn select(self, mask: Self::M, yes: Self::F, no: Self::F) -> Self::F;
-    /// The mask with bit `i` for lane `i`; higher bits are 0.
+    /// The mask with bit `i` for place `i`; those of other places are 0.
     fn bits(self, mask: Self::M) -> u8;
-    /// The mask from bits; higher bits are ignored.
+    /// The mask from bits; those of other places are ignored.
     fn mask(self, bits: u8) -> Self::M;
     /// Both.
     fn and(self, a: Self::M, b: Self::M) -> Self::M;
@@ -283,6 +308,8 @@ pub(super) const TWO_THIRDS: u64 = 0x3fe5_5555_5555_5555;
 pub trait Kernel {
     /// What it returns.
     type Output;
+    /// Does it ask each part of a packet for its lanes? Only then it meets tokens that have less than eight.
+    const IN_PARTS: bool = false;
     /// The work. Mark implementations `#[inline(always)]`, and use neither closures nor iterator adaptors on the hot
     /// path: they do not inherit the instruction set.
     fn run<P: super::Packet>(self, p: P) -> Self::Output;

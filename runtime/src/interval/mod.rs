@@ -32,6 +32,9 @@ pub use arithmetic::Arithmetic;
 pub use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Avx512;
+#[cfg(all(target_arch = "x86_64", feature = "one-lane"))]
+#[doc(hidden)]
+pub use avx512::One;
 #[cfg(feature = "unrounded")]
 #[doc(hidden)]
 pub use control::Control;

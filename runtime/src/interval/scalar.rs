@@ -3,7 +3,7 @@
 use super::enclose::Enclose;
 use super::lanes::decompose;
 use super::sealed::Sealed;
-use super::{Directed, Kernel, Lanes, Routine};
+use super::{Directed, Kernel, Lanes, Portable, Routine};
 
 /// The token for single numbers. It uses [`f64::mul_add`], which is a library call where the processor (or the build)
 /// has no FMA: right everywhere, and slow. What runs once per packet belongs to the other back-ends.
@@ -114,6 +114,7 @@ impl Lanes for Scalar {
     type F = f64;
     type M = bool;
     type Rounding = Directed;
+    type Eight = Portable;
     const LANES: usize = 1;
     const FUSED: bool = true;
     const NAME: &'static str = "scalar";
@@ -133,6 +134,9 @@ impl Lanes for Scalar {
         routine.call(self)
     }
 
+    fn eight(self) -> Portable {
+        Portable::new()
+    }
     fn splat(self, x: f64) -> f64 {
         x
     }

@@ -19,3 +19,13 @@ pub(crate) struct Record {
     /// Rays whose answer is neither a miss nor a plain root, and is in a list.
     pub special: u8,
 }
+
+impl Record {
+    /// Nothing is shown yet.
+    #[inline(always)]
+    pub fn forget(&mut self) {
+        self.lo = [f64::INFINITY; 8];
+        self.hi = [f64::INFINITY; 8];
+        (self.shown, self.tied, self.special) = (0, 0, 0);
+    }
+}

@@ -271,14 +271,16 @@ impl Tile {
         let rays = &mut self.packets[packet];
         let columns = self.size[0].saturating_sub(x);
         let inside = within(columns, self.size[1].saturating_sub(y));
-        view.camera.rays(
-            p,
-            [self.corner[0] + x, self.corner[1] + y],
-            view.picture,
-            view.sampling,
-            &mut rays.lines,
-        );
-        let met = rays.enter(p, inside, &self.domain);
+        let corner = [self.corner[0] + x, self.corner[1] + y];
+        rays.record.forget();
+        let mut met = 0;
+        for part in 0..P::PARTS {
+            let p = p.part(part);
+            let lines = &mut rays.lines;
+            view.camera
+                .rays(p, corner, view.picture, view.sampling, lines);
+            met |= rays.enter(p, inside, &self.domain);
+        }
         self.outside += u64::from((inside & !met).count_ones());
     }
 }
@@ -304,12 +306,10 @@ impl PacketRays {
         let span = clip(p, &self.lines, domain);
         let met = p.and(p.le(span.near, span.far), p.mask(inside));
         let length = p.sub_ru(span.far, span.near);
-        self.limit = p.to_array(p.select(met, length, p.splat(-1.0)));
-        let record = &mut self.record;
-        record.entry = p.to_array(p.select(met, span.near, p.splat(0.0)));
-        record.lo = [f64::INFINITY; 8];
-        record.hi = [f64::INFINITY; 8];
-        (record.shown, record.tied, record.special) = (0, 0, 0);
+        let limit = p.select(met, length, p.splat(-1.0));
+        p.store(limit, &mut self.limit);
+        let entry = p.select(met, span.near, p.splat(0.0));
+        p.store(entry, &mut self.record.entry);
         p.bits(met)
     }
 }

@@ -196,6 +196,7 @@ impl Kernel for OneRay<'_> {
             lines: Lines::same(self.ray),
             ..PacketRays::default()
         };
+        packet.record.forget();
         packet.enter(p, 1, self.domain);
         Tile {
             domain: *self.domain,

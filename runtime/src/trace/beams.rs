@@ -31,10 +31,12 @@ pub(crate) struct AssembleLeaves<'a, S: Surface> {
 
 impl<S: Surface> Kernel for AssembleLeaves<'_, S> {
     type Output = Option<Leaves>;
+    const IN_PARTS: bool = true;
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> Option<Leaves> {
-        let along = bound::<S, P>(p, self.prepared, &self.frame.lines(p));
+        let eight = p.eight();
+        let along = bound::<S, P::Eight>(eight, self.prepared, &self.frame.lines(eight));
         let active = S::everything(self.prepared);
         let mut over = S::unbound::<OverBeams<P>>(p);
         S::rebind(&Assemble(p), &along, &active, &mut over).then(|| Box::new(over) as Leaves)
@@ -153,6 +155,7 @@ pub(crate) struct SurveyGrid<'a, S: Surface> {
 
 impl<S: Surface> Kernel for SurveyGrid<'_, S> {
     type Output = ();
+    const IN_PARTS: bool = true;
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {

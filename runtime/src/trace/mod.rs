@@ -2,6 +2,8 @@
 
 mod beams;
 mod entries;
+#[cfg(feature = "limit")]
+pub mod limit;
 mod lone;
 mod normals;
 mod range;

@@ -26,10 +26,11 @@ impl<'a, S: Surface> NormalsOfTile<'a, S> {
 }
 
 /// The gradient, a function of its own.
-struct Gradient<'a, S: Surface, P: Packet> {
-    prepared: &'a S::Prepared,
-    active: &'a Active,
-    point: &'a [P::F; 3],
+pub(super) struct Gradient<'a, S: Surface, P: Packet> {
+    pub prepared: &'a S::Prepared,
+    /// The rows that matter there.
+    pub active: &'a Active,
+    pub point: &'a [P::F; 3],
 }
 
 impl<S: Surface, P: Packet> Routine<P> for Gradient<'_, S, P> {
@@ -42,6 +43,7 @@ impl<S: Surface, P: Packet> Routine<P> for Gradient<'_, S, P> {
 
 impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
     type Output = ();
+    const IN_PARTS: bool = true;
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
@@ -62,21 +64,25 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
             for (lane, surface) in packet.record.surface.iter().enumerate() {
                 shown &= !(u8::from(*surface != index) << lane);
             }
-            if shown == 0 {
-                continue;
+            for part in 0..P::PARTS {
+                let p = p.part(part);
+                let shown = shown & p.bits(p.all());
+                if shown == 0 {
+                    continue;
+                }
+                let point = points(p, packet);
+                let active = rows.map_or(&all, |rows| {
+                    rows[number / PACKETS_OF_CELL].at(farthest(packet, shown))
+                });
+                let [_, x, y, z] = p.call(Gradient::<S, P> {
+                    prepared,
+                    active,
+                    point: &point,
+                });
+                tile.counts.gradient += u64::from(shown.count_ones());
+                tile.counts.packets += 1;
+                store(p, packet, [x, y, z], shown);
             }
-            let point = points(p, packet);
-            let active = rows.map_or(&all, |rows| {
-                rows[number / PACKETS_OF_CELL].at(farthest(packet, shown))
-            });
-            let [_, x, y, z] = p.call(Gradient::<S, P> {
-                prepared,
-                active,
-                point: &point,
-            });
-            tile.counts.gradient += u64::from(shown.count_ones());
-            tile.counts.packets += 1;
-            store(p, packet, [x, y, z], shown);
         }
     }
 }
@@ -92,7 +98,7 @@ fn farthest(packet: &PacketRays, shown: u8) -> f64 {
 
 /// Where the shown roots are: from the entry, so that far cameras lose nothing.
 #[inline(always)]
-fn points<P: Packet>(p: P, packet: &PacketRays) -> [P::F; 3] {
+pub(super) fn points<P: Packet>(p: P, packet: &PacketRays) -> [P::F; 3] {
     let half = p.splat(0.5);
     let t = p.add_rn(
         p.mul_rn(p.lanes(packet.record.lo), half),
@@ -126,9 +132,10 @@ fn store<P: Packet>(p: P, packet: &mut PacketRays, g: [P::F; 3], shown: u8) {
     let scale = p.select(p.lt(zero, towards), p.neg_f(scale), scale);
     for (axis, &component) in g.iter().enumerate() {
         let n = p.to_array(p.select(fine, p.mul_rn(component, scale), zero));
-        for (lane, kept) in packet.record.normal[axis].iter_mut().enumerate() {
+        let kept = &mut packet.record.normal[axis];
+        for lane in p.own() {
             let own = shown >> lane & 1 != 0;
-            *kept = if own { n[lane] as f32 } else { *kept };
+            kept[lane] = if own { n[lane] as f32 } else { kept[lane] };
         }
     }
 }

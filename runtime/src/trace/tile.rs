@@ -28,6 +28,7 @@ pub(crate) struct TraceTile<'a, S: Surface, C> {
 
 impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
     type Output = ();
+    const IN_PARTS: bool = true;
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
@@ -168,8 +169,16 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
     /// or meet what is no certain root, are searched with all rows that matter.
     #[inline(always)]
     fn packet(&mut self, number: usize, hint: &Hint, rows: &Rows) {
+        self.tile.enter(self.p, self.view, number);
+        for part in 0..P::PARTS {
+            self.p = self.p.part(part);
+            self.part(number, hint, rows);
+        }
+    }
+
+    #[inline(always)]
+    fn part(&mut self, number: usize, hint: &Hint, rows: &Rows) {
         let p = self.p;
-        self.tile.enter(p, self.view, number);
         let mut left = Left {
             lanes: p.not(p.none()),
             from: p.splat(0.0),
@@ -434,17 +443,18 @@ fn keep<P: Packet>(p: P, packet: &mut PacketRays, hit: P::M, t: &Interval<P::F>,
     let nearer_bits = p.bits(nearer);
     record.tied = (record.tied & !p.bits(p.and(nearer, apart))) | tied;
     record.shown |= nearer_bits;
-    record.lo = p.to_array(p.select(nearer, t.lo, old_lo));
-    record.hi = p.to_array(p.select(nearer, t.hi, old_hi));
+    p.store(p.select(nearer, t.lo, old_lo), &mut record.lo);
+    p.store(p.select(nearer, t.hi, old_hi), &mut record.hi);
     let limit = p.lanes(packet.limit);
     // A little further, so that a root of another surface in the same place can be proved too, and told to be tied.
     let more = p.mul_ru(p.splat(8.0), p.sub_ru(t.hi, t.lo));
     let more = p.max_f(more, p.mul_ru(t.hi, p.splat(TIED)));
     let end = p.add_ru(t.hi, more);
-    packet.limit = p.to_array(p.select(hit, p.min_f(limit, end), limit));
-    for (lane, surface) in record.surface.iter_mut().enumerate() {
+    let limit = p.select(hit, p.min_f(limit, end), limit);
+    p.store(limit, &mut packet.limit);
+    for lane in p.own() {
         if nearer_bits >> lane & 1 != 0 {
-            *surface = index;
+            record.surface[lane] = index;
         }
     }
 }

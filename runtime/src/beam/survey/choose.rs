@@ -22,6 +22,7 @@ impl<P: Packet> Surveyor<'_, P> {
         rows: &mut [Rows; 8],
     ) {
         let p = self.p;
+        thin.look_at(p.own());
         let open = p.bits(found.open);
         let lanes = move || (0..8).filter(move |lane| open >> lane & 1 != 0);
         let Stretch { end, last, .. } = *self.stretch;

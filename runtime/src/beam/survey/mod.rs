@@ -104,6 +104,16 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
 
     #[inline(always)]
     fn call(mut self, p: P) {
+        for part in 0..P::PARTS {
+            self.part(p.part(part));
+        }
+    }
+}
+
+impl<P: Packet> Survey<'_, '_, P> {
+    /// Looks at the beams that are the token's own.
+    #[inline(always)]
+    fn part(&mut self, p: P) {
         let Request {
             space: Space { frame, domain },
             corner,
@@ -126,6 +136,11 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
             last,
             first: p.splat(known.length.min(0.25 * (frame.far - frame.near))),
         };
+        if !p.any(near.live) {
+            p.own()
+                .for_each(|lane| self.findings.hints[lane].open = false);
+            return;
+        }
         let mut found = self.look(p, &group, &near, &rows.near, rows.reach == f64::INFINITY);
         let passed = p.and_not(p.and(near.live, p.lt(near.end, last)), found.open);
         if p.any(passed) {
@@ -139,11 +154,9 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
             let more = self.look(p, &group, &behind, &rows.all, true);
             found.join(p, passed, &more);
         }
-        self.findings.hints = found.hints(p, frame);
+        found.tell(p, frame, &mut self.findings.hints);
     }
-}
 
-impl<P: Packet> Survey<'_, '_, P> {
     /// Looks along a stretch with these rows, and notes which rows matter where beams are open.
     #[inline(always)]
     fn look(
@@ -247,7 +260,7 @@ impl<P: Packet> Found<P> {
 
     /// From the frame's t to the rays', which differ by the frame's slack.
     #[inline(always)]
-    fn hints(&self, p: P, frame: &Frame) -> [Hint; 8] {
+    fn tell(&self, p: P, frame: &Frame, hints: &mut [Hint; 8]) {
         let near = p.splat(frame.near);
         let slack = p.splat(frame.slack);
         let free = p.to_array(p.sub_rd(p.add_rd(self.front, near), slack));
@@ -258,9 +271,8 @@ impl<P: Packet> Found<P> {
         let [at, right, up] = self.plane.map(|x| p.to_array(x));
         let (open, one) = (p.bits(self.open), p.bits(self.one));
         let inside = p.bits(self.inside);
-        let mut hints = [Hint::OPEN; 8];
-        for (lane, hint) in hints.iter_mut().enumerate() {
-            *hint = Hint {
+        for lane in p.own() {
+            hints[lane] = Hint {
                 open: open >> lane & 1 != 0,
                 front: free[lane],
                 length: length[lane],
@@ -272,6 +284,5 @@ impl<P: Packet> Found<P> {
                 }),
             };
         }
-        hints
     }
 }

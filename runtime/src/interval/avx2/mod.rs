@@ -71,6 +71,7 @@ impl<R: Rounding> Lanes for Avx2<R> {
     type F = Pair;
     type M = Pair;
     type Rounding = R;
+    type Eight = Self;
     const LANES: usize = 8;
     const FUSED: bool = true;
     const NAME: &'static str =
@@ -93,6 +94,10 @@ impl<R: Rounding> Lanes for Avx2<R> {
         unsafe { call_operation(self, routine) }
     }
 
+    #[inline(always)]
+    fn eight(self) -> Self {
+        self
+    }
     #[inline(always)]
     fn splat(self, x: f64) -> Pair {
         cpu!(Pair(_mm256_set1_pd(x), _mm256_set1_pd(x)))

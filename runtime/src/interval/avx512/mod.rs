@@ -1,5 +1,8 @@
 //! AVX-512: each instruction names its own rounding, so bounds are optimal at the price of plain arithmetic.
 
+#[cfg(feature = "one-lane")]
+mod one;
+
 use std::arch::x86_64::*;
 use std::marker::PhantomData;
 
@@ -19,6 +22,9 @@ impl<R: Rounding> Avx512<R> {
         has.then_some(Avx512(PhantomData))
     }
 }
+
+#[cfg(feature = "one-lane")]
+pub use one::One;
 
 /// Towards −∞, +∞, and to nearest; none raises exceptions.
 const DOWN: i32 = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
@@ -65,6 +71,7 @@ impl<R: Rounding> Lanes for Avx512<R> {
     type F = __m512d;
     type M = __mmask8;
     type Rounding = R;
+    type Eight = Self;
     const LANES: usize = 8;
     const FUSED: bool = true;
     const NAME: &'static str = R::MODE.name([
@@ -92,6 +99,10 @@ impl<R: Rounding> Lanes for Avx512<R> {
         unsafe { call_operation(self, routine) }
     }
 
+    #[inline(always)]
+    fn eight(self) -> Self {
+        self
+    }
     #[inline(always)]
     fn splat(self, x: f64) -> __m512d {
         cpu!(_mm512_set1_pd(x))
@@ -309,33 +320,41 @@ impl<R: Rounding> Lanes for Avx512<R> {
 }
 
 impl<R: Rounding> Enclose for Avx512<R> {
-    /// Four products. For one number y, the least x·y over x ∈ a is that of a.lo where y ≥ 0, else that of a.hi; it is
-    /// concave in y, so the least of all is at a bound of b. The greatest alike.
-    ///
-    /// NaN is 0·∞ and means 0. `min_f` and `max_f` drop it in their first operand, and are right to: with y = b.lo it
-    /// comes of y = −∞ and a zero bound of a, or of y = 0 and an infinite one, and either way the product of the other
-    /// bound of b (mended) is 0, or on the far side of it. −0 ≥ 0, as it must be: by its sign bit it would take the other
-    /// bound of a.
     #[inline(always)]
     fn i_mul(self, a: Interval<__m512d>, b: Interval<__m512d>) -> Interval<__m512d> {
-        let p = self;
-        let zero = p.splat(0.0);
-        let (low, high) = (p.le(zero, b.lo), p.le(zero, b.hi));
-        let least = p.mend(p.mul_rd(p.select(high, a.lo, a.hi), b.hi));
-        let most = p.mend(p.mul_ru(p.select(high, a.hi, a.lo), b.hi));
-        Interval {
-            lo: p.min_f(p.mul_rd(p.select(low, a.lo, a.hi), b.lo), least),
-            hi: p.max_f(p.mul_ru(p.select(low, a.hi, a.lo), b.lo), most),
-        }
+        four_products(self, a, b)
     }
-
-    /// The squares of the bounds of |a|; they cannot be 0·∞, and a square rounded down is not negative.
     #[inline(always)]
     fn i_sqr(self, a: Interval<__m512d>) -> Interval<__m512d> {
-        let m = self.i_abs(a);
-        Interval {
-            lo: self.mul_rd(m.lo, m.lo),
-            hi: self.mul_ru(m.hi, m.hi),
-        }
+        two_squares(self, a)
+    }
+}
+
+/// a·b by four products. For one number y, the least x·y over x ∈ a is that of a.lo where y ≥ 0, else that of a.hi; it is
+/// concave in y, so the least of all is at a bound of b. The greatest alike.
+///
+/// NaN is 0·∞ and means 0. `min_f` and `max_f` drop it in their first operand, and are right to: with y = b.lo it
+/// comes of y = −∞ and a zero bound of a, or of y = 0 and an infinite one, and either way the product of the other
+/// bound of b (mended) is 0, or on the far side of it. −0 ≥ 0, as it must be: by its sign bit it would take the other
+/// bound of a.
+#[inline(always)]
+fn four_products<P: Enclose>(p: P, a: Interval<P::F>, b: Interval<P::F>) -> Interval<P::F> {
+    let zero = p.splat(0.0);
+    let (low, high) = (p.le(zero, b.lo), p.le(zero, b.hi));
+    let least = p.mend(p.mul_rd(p.select(high, a.lo, a.hi), b.hi));
+    let most = p.mend(p.mul_ru(p.select(high, a.hi, a.lo), b.hi));
+    Interval {
+        lo: p.min_f(p.mul_rd(p.select(low, a.lo, a.hi), b.lo), least),
+        hi: p.max_f(p.mul_ru(p.select(low, a.hi, a.lo), b.lo), most),
+    }
+}
+
+/// The squares of the bounds of |a|; they cannot be 0·∞, and a square rounded down is not negative.
+#[inline(always)]
+fn two_squares<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
+    let m = p.i_abs(a);
+    Interval {
+        lo: p.mul_rd(m.lo, m.lo),
+        hi: p.mul_ru(m.hi, m.hi),
     }
 }

@@ -25,14 +25,13 @@ impl Ball {
             lo: r.lo / 512.0,
             radius: r.radius / 512.0,
         };
-        let mut sum = Ball::exact(1.0);
+        // 9! times the polynomial has whole coefficients: 9!/n!
+        let (mut sum, mut coefficient) = (Ball::exact(1.0), 1.0);
         for n in (1..=9).rev() {
-            // 1 + s/n · (1 + s/(n + 1) · …)
-            let Some(step) = s.divide(Ball::exact(f64::from(n))) else {
-                return Ball::ANY;
-            };
-            sum = Ball::exact(1.0).add(step.multiply(sum));
+            coefficient *= f64::from(n);
+            sum = Ball::exact(coefficient).add(s.multiply(sum));
         }
+        let mut sum = sum.over(coefficient);
         sum.radius += 1e-38;
         for _ in 0..9 {
             sum = sum.multiply(sum);
@@ -65,12 +64,12 @@ impl Ball {
                 if n < 2 {
                     break;
                 }
-                let step = square.divide(Ball::exact(f64::from(n * (n - 1))))?;
+                let step = square.over(f64::from(n * (n - 1)));
                 sum = Ball::exact(1.0).subtract(step.multiply(sum));
             }
-            Some(sum)
+            sum
         };
-        let (mut sin, mut cos) = (r.multiply(series(31)?), series(30)?);
+        let (mut sin, mut cos) = (r.multiply(series(31)), series(30));
         sin.radius += 1e-38;
         cos.radius += 1e-38;
         Some(match whole.rem_euclid(4.0) as u8 {

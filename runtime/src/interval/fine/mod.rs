@@ -1,10 +1,11 @@
 //! Twice the precision, one number at a time: for the few rays whose roots `f64` cannot pin down.
 //!
-//! A [`Ball`] is the unevaluated sum of two doubles and a radius. Sums and products of such pairs have relative errors
-//! below 3u² and 5u², u = 2⁻⁵³ (Joldes, Muller, Popescu: Tight and rigorous error bounds for basic building blocks of
-//! double-word arithmetic, 2017, algorithms 6 and 12); 2⁻¹⁰¹ is taken for all. Quotients and roots are guessed and then
-//! bounded by their residual, which needs no theorem about the guess. What overflows becomes a ball of infinite radius,
-//! and what underflows is covered by an absolute 10⁻³⁰⁰.
+//! A [`Ball`] is the unevaluated sum of two doubles and a radius. Sums of such pairs have relative errors below 3u²,
+//! u = 2⁻⁵³ (Joldes, Muller, Popescu: Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
+//! 2017, algorithm 6). Of a product the mixed terms are at most u each; rounding these and their sums loses 5u², and
+//! joining them with the rest of the leading product, which is at most u too, 3u². 2⁻¹⁰¹ is taken for all. Quotients and
+//! roots are guessed and then bounded by their residual, which needs no theorem about the guess. What overflows becomes a
+//! ball of infinite radius, and what underflows is covered by an absolute 10⁻³⁰⁰.
 
 mod ball;
 mod functions;

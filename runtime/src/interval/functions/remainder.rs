@@ -101,7 +101,7 @@ fn long_way<P: Lanes>(
     let (x, bits) = (p.to_array(x), p.bits(far));
     let (mut k, mut r, mut rho) = (p.to_array(near.k), p.to_array(near.r), p.to_array(near.rho));
     let mut turns = p.to_array(near.turns);
-    for lane in 0..P::LANES {
+    for lane in 0..8 {
         if bits >> lane & 1 == 1 {
             (k[lane], r[lane], rho[lane]) = payne_hanek(x[lane]);
             // For whole k, k/2 + ¼ rounds to ⌊(k + 1)/2⌋ and k/2 − ¼ to ⌊k/2⌋.

@@ -137,6 +137,7 @@ impl<R: Rounding> Lanes for Portable<R> {
     type F = F;
     type M = M;
     type Rounding = R;
+    type Eight = Self;
     const LANES: usize = 8;
     const FUSED: bool = false;
     const NAME: &'static str = R::MODE.name([
@@ -161,6 +162,10 @@ impl<R: Rounding> Lanes for Portable<R> {
         call_routine(self, routine)
     }
 
+    #[inline(always)]
+    fn eight(self) -> Self {
+        self
+    }
     #[inline(always)]
     fn splat(self, x: f64) -> F {
         [x; 8]
