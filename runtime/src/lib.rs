@@ -58,6 +58,7 @@ pub mod scene;
 pub mod shade;
 pub mod solid;
 pub mod solve;
+pub mod space;
 pub mod surface;
 mod trace;
 pub mod verdict;

@@ -1,18 +1,21 @@
 //! A solid in a scene.
 
+use core::any::Any;
+
 use super::leaf::PreparedLeaf;
 use super::span::Span8;
 use super::sweep::Face;
 use super::tile::Explorer;
 use super::tree::Node;
-use super::{Part, Solid};
+use super::{Part, Side, Solid};
 use crate::beam::{Findings, Frame, Hint, Request, Rows};
 use crate::camera::Ray;
 use crate::interval::{Interval, Isa, Kernel, Packet};
 use crate::ray::Lines;
-use crate::render::tile::{Event, PACKETS, PACKETS_OF_CELL, PacketRays, Tile, View};
-use crate::scene::{Label, Prepared, TileJob, Trace};
+use crate::render::tile::{CELLS, Event, PACKETS, PACKETS_OF_CELL, PacketRays, Tile, View};
+use crate::scene::{Label, Prepared, Search, TileJob, Trace};
 use crate::solve::Settings;
+use crate::space::{Boxes, Division, eight};
 use crate::surface::{Active, ParameterError};
 use crate::trace::{BeamOf, Leaves, Trail, WithBeams, segment};
 use crate::verdict::Verdict;
@@ -82,22 +85,31 @@ pub(super) struct PreparedSolid<'a> {
 }
 
 impl PreparedSolid<'_> {
-    /// The faces along each ray of a tile, in ascending order, cell by cell; nothing on a ray without any.
+    /// The faces along each ray of a tile's cells, in ascending order; nothing on a ray without any.
     fn faces(
         &self,
         isa: Isa,
         settings: &Settings,
         domain: &[[f64; 3]; 2],
-        tile: &mut Tile,
+        (tile, cells): (&mut Tile, u8),
         first_only: bool,
         mut found: impl FnMut(&mut Tile, usize, usize, &[Face]),
     ) {
         for first in (0..tile.packets.len()).step_by(PACKETS_OF_CELL) {
+            let number = first / PACKETS_OF_CELL;
+            if cells >> number & 1 == 0 {
+                tile.counts.apart += tile.pixels(number);
+                continue;
+            }
             let cell = first..tile.packets.len().min(first + PACKETS_OF_CELL);
             let over = isa.run(Segments {
                 own: (*domain != tile.domain).then_some(domain),
                 packets: &tile.packets[cell.clone()],
             });
+            if over.iter().all(Span8::is_empty) {
+                tile.counts.apart += tile.pixels(number);
+                continue;
+            }
             let packets = &tile.packets[cell];
             let Some(beam) = isa.run(BeamOf { packets }) else {
                 continue;
@@ -152,10 +164,11 @@ impl Kernel for Segments<'_> {
     }
 }
 
-/// Makes the rays of all packets of a tile.
+/// Makes the rays of all packets of some of a tile's cells.
 struct AllRays<'a> {
     view: &'a View<'a>,
     tile: &'a mut Tile,
+    cells: u8,
 }
 
 impl Kernel for AllRays<'_> {
@@ -163,7 +176,8 @@ impl Kernel for AllRays<'_> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        for packet in 0..PACKETS {
+        let wanted = |packet: &usize| self.cells >> (packet / PACKETS_OF_CELL) & 1 != 0;
+        for packet in (0..PACKETS).filter(wanted) {
             self.tile.enter(p, self.view, packet);
         }
     }
@@ -207,18 +221,41 @@ impl Prepared for PreparedSolid<'_> {
         Active::default()
     }
 
+    /// A part holds no face where all of it is on one side.
+    fn divide(
+        &self,
+        isa: Isa,
+        _leaves: Option<&(dyn Any + Send + Sync)>,
+        boxes: &Boxes,
+    ) -> Option<Division> {
+        let mut division = Division::default();
+        for (place, active) in boxes.cells {
+            let sides = self.sides(isa, &boxes.root.boxes(&eight(*place), boxes.level));
+            let unknown = (0..8).filter(|k| sides[*k] == Side::Unknown);
+            let open = unknown.fold(0, |open, k| open | 1 << k);
+            // Twice for each operand, at most: over the box and at its middle.
+            division.evaluations += 2 * self.leaves.len() as u64;
+            division.add(*place, open, |_| active.clone());
+        }
+        Some(division)
+    }
+
     fn trace(&self, job: &TileJob, _known: (&Hint, &Rows), tile: &mut Tile) {
+        let spans = tile.spans(job.outline);
+        let cells = (0..CELLS).filter(|k| spans.lo[*k] <= spans.hi[*k]);
+        let cells = cells.fold(0, |cells, k| cells | 1 << k);
         job.isa.run(AllRays {
             view: job.view,
             tile,
+            cells,
         });
-        // Nothing is known about rays beside those that sample.
-        tile.missed = 0;
+        // Elsewhere nothing is known about rays beside those that sample.
+        tile.missed &= !cells;
         self.faces(
             job.isa,
             job.settings,
             job.domain,
-            tile,
+            (tile, cells),
             true,
             |tile, packet, lane, faces| {
                 for face in faces {
@@ -237,14 +274,12 @@ impl Prepared for PreparedSolid<'_> {
         }
     }
 
-    fn along(
-        &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        ray: &Ray,
-        first_only: bool,
-    ) -> Trail {
+    fn along(&self, isa: Isa, settings: &Settings, search: &Search, first_only: bool) -> Trail {
+        let Search {
+            ray,
+            domain,
+            within,
+        } = *search;
         let mut tile = isa.run(OneRay { ray, domain });
         let end = tile.packets[0].limit[0];
         if end < 0.0 {
@@ -255,11 +290,14 @@ impl Prepared for PreparedSolid<'_> {
             end: Some(end),
             ..Trail::default()
         };
+        if within.is_some_and(|[first, last]| first > last) {
+            return trail;
+        }
         self.faces(
             isa,
             settings,
             domain,
-            &mut tile,
+            (&mut tile, 1),
             first_only,
             |_, _, _, faces| {
                 for face in faces {

@@ -10,6 +10,7 @@ use crate::beam::{
 };
 use crate::interval::{Kernel, Packet, Routine};
 use crate::solve::Enclosed;
+use crate::space::{Boxes, Divider, Division};
 use crate::surface::{Active, Surface};
 
 /// The leaves of a whole picture, `S::Bound<OverBeams<P>>` of the render's instruction set.
@@ -51,10 +52,14 @@ pub(super) struct OverGroup<'a, S: Surface, P: Packet> {
 
 impl<'a, S: Surface, P: Packet> OverGroup<'a, S, P> {
     /// Nothing if the leaves are not this surface's, on this instruction set.
-    pub fn new(p: P, prepared: &'a S::Prepared, beams: &WithBeams<'a>) -> Option<Self> {
+    pub fn new(
+        p: P,
+        prepared: &'a S::Prepared,
+        leaves: &'a (dyn Any + Send + Sync),
+    ) -> Option<Self> {
         Some(OverGroup {
             prepared,
-            from: beams.leaves.downcast_ref()?,
+            from: leaves.downcast_ref()?,
             bound: S::unbound::<OverBeams<P>>(p),
         })
     }
@@ -151,9 +156,27 @@ impl<S: Surface> Kernel for SurveyGrid<'_, S> {
 
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
-        match OverGroup::<S, P>::new(p, self.prepared, &self.beams) {
+        match OverGroup::<S, P>::new(p, self.prepared, self.beams.leaves) {
             Some(mut over) => Scout::survey(p, &mut over, self.request, self.findings),
             None => self.findings.know(&Hint::OPEN, self.request.rows),
         }
+    }
+}
+
+/// Which parts of boxes may hold roots; the leaves are those of [`Frame::axes_from`] the lower corner.
+pub(crate) struct DivideBoxes<'a, S: Surface> {
+    pub prepared: &'a S::Prepared,
+    pub leaves: &'a (dyn Any + Send + Sync),
+    pub boxes: &'a Boxes<'a>,
+    pub surface: PhantomData<S>,
+}
+
+impl<S: Surface> Kernel for DivideBoxes<'_, S> {
+    type Output = Option<Division>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Option<Division> {
+        let mut over = OverGroup::<S, P>::new(p, self.prepared, self.leaves)?;
+        Divider::divide(p, &mut over, self.boxes)
     }
 }

@@ -9,7 +9,7 @@ mod survey;
 mod tile;
 mod trails;
 
-pub(crate) use beams::{AssembleLeaves, Leaves, SurveyGrid, WithBeams};
+pub(crate) use beams::{AssembleLeaves, DivideBoxes, Leaves, SurveyGrid, WithBeams};
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use range::RangeAlong;
 pub(crate) use roots::AlongRay;

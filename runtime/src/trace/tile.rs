@@ -8,8 +8,10 @@ use crate::beam::{Bundle, Findings, Grid, Hint, Request, Rows, Scout, Single, Sp
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
-use crate::render::tile::{Event, PACKETS_OF_CELL, PacketRays, Tile, View};
+use crate::render::tile::{CELLS, Event, PACKETS_OF_CELL, PacketRays, Tile, View};
+use crate::solid::Span8;
 use crate::solve::{Brackets, Events, Settings};
+use crate::space::Outline;
 use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
 
@@ -21,6 +23,8 @@ pub(crate) struct TraceTile<'a, S: Surface, C> {
     pub index: u16,
     pub view: &'a View<'a>,
     pub beams: Option<WithBeams<'a>>,
+    /// Where its octree's boxes are on the picture.
+    pub outline: Option<&'a Outline>,
     /// What is known about the whole tile.
     pub hint: Hint,
     /// The rows that matter there.
@@ -47,13 +51,17 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
             solver: PhantomData,
         };
         let over = match (self.beams, self.hint.single) {
-            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, &beams),
+            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, beams.leaves),
             _ => None,
         };
         let known = (&self.hint, self.rows);
+        // Where a beam has found the root there is nothing to add.
+        let outline = self.outline.filter(|_| self.hint.single.is_none());
         match (over, self.beams) {
-            (Some(mut over), Some(beams)) => trace.cells(Some((&mut over, beams.space)), known),
-            _ => trace.cells(None, known),
+            (Some(mut over), Some(beams)) => {
+                trace.cells(Some((&mut over, beams.space)), known, outline);
+            }
+            _ => trace.cells(None, known, outline),
         }
     }
 }
@@ -81,11 +89,17 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         &mut self,
         mut surface: Option<(&mut dyn Bundle<P>, Space)>,
         (hint, rows): (&Hint, &Rows),
+        outline: Option<&Outline>,
     ) {
         let (mut cells, mut packets) = (Findings::default(), Findings::default());
+        let spans = self.tile.spans(outline);
+        let all = self.tile.cells();
+        let open = (0..CELLS).filter(|k| spans.lo[*k] <= spans.hi[*k]);
+        let open = all & open.fold(0, |open, k| open | 1 << k);
         match &mut surface {
+            _ if open == 0 => cells.close(),
             Some(surface) => {
-                let part = (self.tile.corner, self.tile.cells());
+                let part = (self.tile.corner, open, spans);
                 self.look(
                     surface,
                     &Tile::GRID_OF_CELLS,
@@ -94,17 +108,29 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                     &mut cells,
                 );
             }
-            None => cells.know(hint, rows),
+            None => {
+                cells.know(hint, rows);
+                cells.keep(open);
+            }
         }
+        let apart = cells.apart | all & !open;
+        let apart = (0..CELLS).filter(|k| apart >> k & 1 != 0);
+        self.tile.counts.apart += apart.map(|k| self.tile.pixels(k)).sum::<u64>();
         let mut missed = 0;
         for (cell, (hint, rows)) in cells.hints.iter().zip(&cells.rows).enumerate() {
             let first = cell * PACKETS_OF_CELL;
+            let within = [spans.lo[cell], spans.hi[cell]];
             missed |= u8::from(!hint.open) << cell;
             self.tile.full |= u8::from(hint.is_full()) << cell;
             match &mut surface {
                 _ if !hint.open => continue,
                 Some(surface) if hint.single.is_none() => {
-                    let part = (self.tile.corner_of(first), self.tile.packets_of(cell));
+                    let within = Span8 {
+                        lo: [within[0]; 8],
+                        hi: [within[1]; 8],
+                    };
+                    let corner = self.tile.corner_of(first);
+                    let part = (corner, self.tile.packets_of(cell), within);
                     self.look(
                         surface,
                         &Tile::GRID_OF_PACKETS,
@@ -117,7 +143,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             }
             for k in 0..PACKETS_OF_CELL {
                 if packets.hints[k].open {
-                    self.packet(first + k, &packets.hints[k], &packets.rows[k]);
+                    self.packet(first + k, &packets.hints[k], &packets.rows[k], within);
                 }
             }
         }
@@ -130,7 +156,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         &self,
         (surface, space): &mut (&mut dyn Bundle<P>, Space),
         grid: &Grid,
-        (corner, live): ([u32; 2], u8),
+        (corner, live, within): ([u32; 2], u8, Span8),
         (known, rows): (&Hint, &Rows),
         findings: &mut Findings,
     ) {
@@ -139,6 +165,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             corner: self.view.begin(corner, grid),
             grid,
             live,
+            within,
             known,
             rows,
             thin: self.settings.thin,
@@ -146,10 +173,11 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         Scout::survey(self.p, *surface, &request, findings);
     }
 
-    /// Traces a packet of the tile, of which this much is known: where few rows of tables matter first. Rays that pass there,
-    /// or meet what is no certain root, are searched with all rows that matter.
+    /// Traces a packet of the tile, of which this much is known: first where few rows of tables matter, and where the
+    /// octree's boxes are. Rays that pass the former, or meet what is no certain root, are searched with all rows that matter;
+    /// those that meet it again, along all of their length.
     #[inline(always)]
-    fn packet(&mut self, number: usize, hint: &Hint, rows: &Rows) {
+    fn packet(&mut self, number: usize, hint: &Hint, rows: &Rows, within: [f64; 2]) {
         let p = self.p;
         self.tile.enter(p, self.view, number);
         let mut left = Left {
@@ -157,25 +185,29 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             from: p.splat(0.0),
             spent: p.splat(0.0),
         };
-        let mut look = (&rows.near, rows.reach);
+        let mut look = Look {
+            active: &rows.near,
+            reach: rows.reach,
+            // A bracket that a beam found is known as a whole.
+            within: hint.single.map_or(within, |_| ANYWHERE),
+        };
         loop {
-            left = self.search(number, hint, look, &left);
-            if look.1 == f64::INFINITY || !p.any(left.lanes) {
+            left = self.search(number, hint, &look, &left);
+            if look.is_whole() || !p.any(left.lanes) {
                 return;
             }
-            look = (&rows.all, f64::INFINITY);
+            if look.reach < f64::INFINITY {
+                look.active = &rows.all;
+                look.reach = f64::INFINITY;
+            } else {
+                look.within = ANYWHERE;
+            }
         }
     }
 
-    /// Searches up to the reach of the active rows; what is left to be searched behind it.
+    /// Searches where a look asks for it; what is left to be searched then.
     #[inline(always)]
-    fn search(
-        &mut self,
-        number: usize,
-        hint: &Hint,
-        (active, reach): (&Active, f64),
-        left: &Left<P>,
-    ) -> Left<P> {
+    fn search(&mut self, number: usize, hint: &Hint, look: &Look, left: &Left<P>) -> Left<P> {
         let p = self.p;
         let corner = self.tile.corner_of(number);
         let packet = &mut self.tile.packets[number];
@@ -184,8 +216,17 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         over.lo = p.max_f(over.lo, p.sub_rd(p.splat(hint.front), entry));
         over.lo = p.max_f(over.lo, left.from);
         let wanted = p.and(p.and(live, left.lanes), p.le(over.lo, over.hi));
+        let [first, last] = look.within.map(|t| p.splat(t));
+        let boxes = Interval {
+            lo: p.max_f(over.lo, p.sub_rd(first, entry)),
+            hi: p.min_f(over.hi, p.sub_ru(last, entry)),
+        };
+        let cut = p.or(p.lt(over.lo, boxes.lo), p.lt(boxes.hi, over.hi));
+        self.tile.counts.trimmed += u64::from(p.bits(p.and(wanted, cut)).count_ones());
+        over = boxes;
+        let wanted = p.and(wanted, p.le(over.lo, over.hi));
         let behind = over.hi;
-        over.hi = p.min_f(behind, p.sub_rd(p.splat(reach), entry));
+        over.hi = p.min_f(behind, p.sub_rd(p.splat(look.reach), entry));
         let live = p.and(wanted, p.le(over.lo, over.hi));
         let mut left = Left {
             lanes: p.and(wanted, p.lt(over.hi, behind)),
@@ -199,11 +240,11 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         over.hi = p.select(live, over.hi, p.splat(0.0));
         let end = p.select(live, over.hi, p.splat(-1.0));
         let rays = Rays::recentred(p, &packet.lines, entry, end);
-        self.tile.counts.note(active);
+        self.tile.counts.note(look.active);
         p.call(Bind::<S, P> {
             prepared: self.prepared,
             rays: &rays,
-            active,
+            active: look.active,
             bound: &mut self.bound,
         });
         let known = match &hint.single {
@@ -244,8 +285,8 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         let roots = job.find(p);
         left.spent = surface.spent;
         let mut hit = roots.hit;
-        if self.events.touched != 0 && reach < f64::INFINITY {
-            // What the end of the reach, or rows that were left out, may have caused is looked at again.
+        if self.events.touched != 0 && !look.is_whole() {
+            // What the ends of the search, or rows that were left out, may have caused is looked at again.
             let again = p.and(live, p.mask(self.events.touched));
             self.events.clear();
             hit = p.and_not(hit, again);
@@ -259,6 +300,26 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             collect(packet, number as u16, self.index, events);
         }
         left
+    }
+}
+
+/// All of a ray.
+const ANYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// How rays are searched; parameters count from the camera.
+struct Look<'a> {
+    /// The rows of tables that matter, …
+    active: &'a Active,
+    /// … namely up to here.
+    reach: f64,
+    /// Elsewhere boxes tell that there is no root.
+    within: [f64; 2],
+}
+
+impl Look<'_> {
+    /// Is all of each ray searched that is of interest?
+    fn is_whole(&self) -> bool {
+        self.reach == f64::INFINITY && self.within == ANYWHERE
     }
 }
 
