@@ -9,11 +9,19 @@
 #![forbid(unsafe_code)]
 
 mod ablation;
+mod animation;
+// The default example's surface.
+#[path = "../../../examples/sum_of_exp_quadrics/family.rs"]
+#[allow(dead_code)]
+mod family;
 mod growth;
 mod judge;
 mod models;
 mod packets;
+#[path = "../../../examples/sum_of_exp_quadrics/random.rs"]
+mod random;
 mod shapes;
+mod space;
 mod timing;
 mod truth;
 mod versus_fidget;
@@ -49,6 +57,9 @@ struct Arguments {
     /// The largest number of terms and spheres of the growth table, up to 4096.
     #[arg(long, default_value_t = 512)]
     terms: usize,
+    /// How often an octree halves each box.
+    #[arg(long, default_value_t = 5)]
+    depth: u32,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -58,6 +69,8 @@ enum Section {
     Growth,
     Packets,
     Ablation,
+    Space,
+    Animation,
 }
 
 fn main() {
@@ -102,6 +115,12 @@ fn main() {
     }
     if wanted(Section::Ablation) {
         ablation::run(&shapes, &arguments);
+    }
+    if wanted(Section::Space) {
+        space::run(&mut shapes, &arguments);
+    }
+    if wanted(Section::Animation) {
+        animation::run(&arguments);
     }
 }
 

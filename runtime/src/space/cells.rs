@@ -10,6 +10,27 @@ pub(crate) fn eight([x, y, z]: Place) -> [Place; 8] {
     [0, 1, 2, 3, 4, 5, 6, 7].map(|k| [2 * x + (k & 1), 2 * y + (k >> 1 & 1), 2 * z + (k >> 2)])
 }
 
+/// Where the eight parts of a part lie, by axis: from i/2ˡ to (i + 1)/2ˡ of the whole box. These numbers are exact.
+#[inline(always)]
+pub(crate) fn cuts<P: Packet>(p: P, place: Place, level: u32) -> [Interval<P::F>; 3] {
+    let parts = eight(place);
+    let scale = 1.0 / f64::from(1u32 << level);
+    let zero = p.splat(0.0);
+    let mut cuts = [Interval { lo: zero, hi: zero }; 3];
+    for (axis, cut) in cuts.iter_mut().enumerate() {
+        let (mut lo, mut hi) = ([0.0; 8], [0.0; 8]);
+        for (lane, part) in parts.iter().enumerate() {
+            lo[lane] = f64::from(part[axis]) * scale;
+            hi[lane] = f64::from(part[axis] + 1) * scale;
+        }
+        *cut = Interval {
+            lo: p.lanes(lo),
+            hi: p.lanes(hi),
+        };
+    }
+    cuts
+}
+
 /// A box that is divided.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Root {
@@ -31,21 +52,16 @@ impl Root {
         [self.low, self.high]
     }
 
-    /// Enclosures of the eight parts of a part, by axis, counted from the lower corner: from size·i/2ˡ to the same with
-    /// i + 1, where l is the level of the parts.
+    /// Enclosures of the eight parts of a part, by axis, counted from the lower corner; the level is that of the parts.
     #[inline(always)]
     pub fn parts<P: Packet>(&self, p: P, place: Place, level: u32) -> [Interval<P::F>; 3] {
-        let parts = eight(place);
-        let scale = 1.0 / f64::from(1u32 << level);
-        [0, 1, 2].map(|axis| {
-            // Numbers of parts times a power of two are exact, and sizes are not negative.
-            let cut = |more: u32| p.lanes(parts.map(|part| f64::from(part[axis] + more) * scale));
-            let Interval { lo, hi } = self.size[axis];
-            Interval {
-                lo: p.max_f(p.mul_rd(cut(0), p.splat(lo)), p.splat(0.0)),
-                hi: p.mul_ru(cut(1), p.splat(hi)),
-            }
-        })
+        let mut parts = cuts(p, place, level);
+        for (part, size) in parts.iter_mut().zip(&self.size) {
+            // Sizes are not negative.
+            part.lo = p.max_f(p.mul_rd(part.lo, p.splat(size.lo)), p.splat(0.0));
+            part.hi = p.mul_ru(part.hi, p.splat(size.hi));
+        }
+        parts
     }
 
     /// Enclosures of parts in space, by axis.
