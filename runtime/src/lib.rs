@@ -32,6 +32,7 @@
 //!   [What is proved](guide::what_is_proved), and what would notice.
 //! - [`solid`]: intersections, unions and differences of surfaces.
 //! - [`Scene`], [`Camera`], [`render`](fn@render), [`Options`], [`Shading`]: pictures.
+//! - [`space`]: boxes that hold no root, found once for many pictures and rays.
 //! - [`query`]: one surface and rays one by one, without a picture.
 //! - [`verdict`]: what is proved about a ray. [`contract`]: how segments shrink, and the choice of a solver.
 //!   [`enclosure`]: forms that enclose f over a piece of a ray.
@@ -58,6 +59,7 @@ pub mod scene;
 pub mod shade;
 pub mod solid;
 pub mod solve;
+pub mod space;
 pub mod surface;
 mod trace;
 #[cfg(feature = "limit")]

@@ -6,7 +6,7 @@ use crate::camera::Ray;
 use crate::contract::{Auto, Contractor};
 use crate::interval::Isa;
 use crate::render::{RenderError, Trail, check_ray};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Scene, SceneError, Search};
 use crate::solve::Settings;
 use crate::surface::Surface;
 use crate::trace::AlongRay;
@@ -60,8 +60,11 @@ impl<S: Surface, C: Contractor> Query<S, C> {
         Ok(self.isa.run(AlongRay::<S, C> {
             prepared: &self.prepared,
             settings: &self.settings,
-            domain: &self.domain,
-            ray,
+            search: &Search {
+                ray,
+                domain: &self.domain,
+                within: None,
+            },
             first_only: false,
             solver: PhantomData,
         }))

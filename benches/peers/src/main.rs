@@ -9,6 +9,11 @@
 #![forbid(unsafe_code)]
 
 mod ablation;
+mod animation;
+// The default example's surface.
+#[path = "../../../examples/sum_of_exp_quadrics/family.rs"]
+#[allow(dead_code)]
+mod family;
 mod growth;
 mod judge;
 #[cfg(feature = "limit")]
@@ -17,7 +22,10 @@ mod models;
 mod packets;
 mod picture;
 mod rigour;
+#[path = "../../../examples/sum_of_exp_quadrics/random.rs"]
+mod random;
 mod shapes;
+mod space;
 mod timing;
 mod truth;
 mod versus_fidget;
@@ -56,6 +64,9 @@ struct Arguments {
     /// Writes a picture of the thin shell by fidget and by zeroset, side by side, and measures nothing.
     #[arg(long, value_name = "FILE")]
     picture: Option<std::path::PathBuf>,
+    /// How often an octree halves each box.
+    #[arg(long, default_value_t = 5)]
+    depth: u32,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -67,6 +78,8 @@ enum Section {
     Rigour,
     Limit,
     Ablation,
+    Space,
+    Animation,
 }
 
 fn main() {
@@ -127,6 +140,12 @@ fn main() {
     }
     if wanted(Section::Ablation) {
         ablation::run(&shapes, &arguments);
+    }
+    if wanted(Section::Space) {
+        space::run(&mut shapes, &arguments);
+    }
+    if wanted(Section::Animation) {
+        animation::run(&arguments);
     }
 }
 

@@ -27,6 +27,8 @@ pub(crate) struct Frame {
     pub tilt: f64,
     /// Lengths of right and up beside that of forward.
     pub aspect: [f64; 2],
+    /// From a vector of space to its coordinates, by rows.
+    pub inverse: [[Interval; 3]; 3],
 }
 
 /// What a camera is made of.
@@ -119,9 +121,28 @@ impl Frame {
             slack,
             tilt,
             aspect: [length(&axes[1]) / forward, length(&axes[2]) / forward],
+            inverse,
         };
         let fine = frame.slack.is_finite() && frame.near.is_finite() && frame.far.is_finite();
         (fine && far >= 0.0).then_some(frame)
+    }
+
+    /// Space itself, with its axes x, y and z, from a point on. Nothing is rounded here.
+    pub fn axes_from(from: [f64; 3]) -> Frame {
+        let unit = |k: usize| [0, 1, 2].map(|j| if j == k { 1.0 } else { 0.0 });
+        let axes = [0, 1, 2].map(unit);
+        Frame {
+            axes,
+            from,
+            perspective: false,
+            pixel: 1.0,
+            near: 0.0,
+            far: f64::INFINITY,
+            slack: 0.0,
+            tilt: 0.0,
+            aspect: [1.0; 2],
+            inverse: axes.map(|row| row.map(point)),
+        }
     }
 
     /// The lines through the point at `near` on the middle ray that [`Assemble`](super::Assemble) asks for.

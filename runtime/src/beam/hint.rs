@@ -38,6 +38,12 @@ impl Hint {
         self.single.is_some_and(|single| single.inside)
     }
 
+    /// There is no root.
+    pub const CLOSED: Hint = Hint {
+        open: false,
+        ..Hint::OPEN
+    };
+
     /// Nothing is known.
     pub const OPEN: Hint = Hint {
         open: true,

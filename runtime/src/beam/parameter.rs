@@ -12,6 +12,24 @@ pub struct Slab<F> {
     pub half: [F; 2],
 }
 
+impl<F: Copy> Slab<F> {
+    /// The mean value form: f on the middle ray, ± |x|·|f_x| ± |y|·|f_y| with the derivatives over the slab.
+    #[inline(always)]
+    pub(crate) fn mean<P: Packet<F = F>>(
+        &self,
+        p: P,
+        middle: &Interval<F>,
+        by: &[Interval<F>; 2],
+    ) -> Interval<F> {
+        let x = p.radius(self.half[0], p.magnitude(by[0]), p.splat(0.0));
+        let around = p.radius(self.half[1], p.magnitude(by[1]), x);
+        Interval {
+            lo: p.sub_rd(middle.lo, around),
+            hi: p.add_ru(middle.hi, around),
+        }
+    }
+}
+
 /// The direction in which a derivative is taken.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {

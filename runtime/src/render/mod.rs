@@ -20,7 +20,9 @@ use rayon::prelude::*;
 use crate::beam::{Findings, Frame, Hint, Request, Rows, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
-use crate::scene::{Label, Prepared, Scene, SceneError, TileJob, hull};
+use crate::scene::{Label, Prepared, Scene, SceneError, Search, TileJob, hull};
+use crate::solid::Span8;
+use crate::space::{Octree, Outline, Tree};
 pub use crate::trace::Trail;
 use crate::trace::{Leaves, WithBeams};
 use crate::verdict::{Answer, Verdict};
@@ -100,12 +102,18 @@ pub fn trails(scene: &Scene, ray: &Ray, options: &Options) -> Result<Vec<Trail>,
         Some(isa) => isa,
         None => Isa::detect()?,
     };
-    let surfaces = scene.surfaces.iter().zip(&boxes);
+    let octree = scene.octree().filter(|_| options.settings.space);
+    let surfaces = scene.surfaces.iter().zip(&boxes).enumerate();
     Ok(surfaces
-        .map(|(surface, domain)| {
+        .map(|(index, (surface, domain))| {
+            let search = Search {
+                ray,
+                domain,
+                within: octree.map(|octree| octree.trees()[index].along(isa, ray)),
+            };
             surface
                 .prepare()
-                .along(isa, &options.settings, domain, ray, false)
+                .along(isa, &options.settings, &search, false)
         })
         .collect())
 }
@@ -134,6 +142,7 @@ pub(crate) struct Job<'a> {
     first: Vec<u16>,
     prepared: Vec<Box<dyn Prepared + 'a>>,
     boxes: Vec<[[f64; 3]; 2]>,
+    octree: Option<&'a Octree>,
     /// The box around all boxes; nothing without surfaces.
     domain: Option<[[f64; 3]; 2]>,
 }
@@ -166,6 +175,7 @@ impl<'a> Job<'a> {
             first: scene.first_labels(),
             prepared: scene.surfaces.iter().map(|s| s.prepare()).collect(),
             boxes,
+            octree: scene.octree().filter(|_| options.settings.space),
             domain,
         })
     }
@@ -185,7 +195,13 @@ impl<'a> Job<'a> {
     pub(crate) fn first_roots(&self, ray: &Ray) -> impl Iterator<Item = Trail> {
         let surfaces = self.prepared.iter().zip(&self.boxes);
         surfaces.map(move |(surface, domain)| {
-            surface.along(self.isa, &self.options.settings, domain, ray, true)
+            // A certificate is to stand on its own.
+            let search = Search {
+                ray,
+                domain,
+                within: None,
+            };
+            surface.along(self.isa, &self.options.settings, &search, true)
         })
     }
 
@@ -199,7 +215,9 @@ impl<'a> Job<'a> {
             sampling: self.options.sampling,
         };
         let beams = self.beams();
-        let surfaces = self.tile_jobs(&view, &beams);
+        let outlines = self.outlines();
+        let projected = start.elapsed();
+        let surfaces = self.tile_jobs(&view, &beams, &outlines);
         let blocks = blocks(picture);
         let threads = rayon::current_num_threads();
         let next = AtomicU32::new(0);
@@ -227,6 +245,7 @@ impl<'a> Job<'a> {
             })
             .collect();
         let mut statistics = Statistics::new(self.isa.name(), threads);
+        statistics.phases.space = projected;
         statistics.elapsed = start.elapsed();
         Rendering::new(picture, shards, self.labels, statistics)
     }
@@ -244,15 +263,30 @@ impl<'a> Job<'a> {
             .collect()
     }
 
+    /// Where the boxes of each surface's octree are on the picture. A camera without a frame sees them anywhere.
+    fn outlines(&self) -> Vec<Option<Outline>> {
+        let picture = [self.options.width, self.options.height];
+        let Some(octree) = self.octree else {
+            return self.boxes.iter().map(|_| None).collect();
+        };
+        let outline = |tree: &Tree| {
+            let frame = self.camera.frame(picture, &tree.root.bounds())?;
+            Some(Outline::new(self.isa, tree, &frame, picture))
+        };
+        octree.trees().par_iter().map(outline).collect()
+    }
+
     fn tile_jobs<'b>(
         &'b self,
         view: &'b View<'b>,
         beams: &'b [Option<(Frame, Leaves)>],
+        outlines: &'b [Option<Outline>],
     ) -> Vec<TileJob<'b>> {
         let surfaces = self.boxes.iter().zip(beams).zip(&self.prepared);
         surfaces
             .zip(&self.first)
-            .map(|(((domain, beams), surface), &index)| TileJob {
+            .zip(outlines)
+            .map(|((((domain, beams), surface), &index), outline)| TileJob {
                 isa: self.isa,
                 settings: &self.options.settings,
                 view,
@@ -262,6 +296,7 @@ impl<'a> Job<'a> {
                     space: Space { frame, domain },
                     leaves: &**leaves,
                 }),
+                outline: outline.as_ref(),
                 everything: Rows::everything(surface.everything()),
             })
             .collect()
@@ -279,13 +314,7 @@ impl<'a> Job<'a> {
         let clock = Instant::now();
         let columns = view.picture[0].div_ceil(BLOCK[0]);
         let corner = [number % columns * BLOCK[0], number / columns * BLOCK[1]];
-        let place = |k: usize| {
-            let (x, y) = (
-                k as u32 % GRID_OF_TILES.columns,
-                k as u32 / GRID_OF_TILES.columns,
-            );
-            [corner[0] + x * TILE[0], corner[1] + y * TILE[1]]
-        };
+        let place = |k: usize| tile_of(corner, k);
         let mut live = 0u8;
         for k in 0..TILES_OF_BLOCK {
             let [x, y] = place(k);
@@ -295,27 +324,17 @@ impl<'a> Job<'a> {
             .iter()
             .zip(&self.prepared)
             .map(|(job, surface)| {
-                let mut findings = Findings::default();
-                let Some(beams) = job.beams else {
-                    findings.know(&Hint::OPEN, &job.everything);
-                    return findings;
-                };
-                let request = Request {
-                    space: beams.space,
-                    corner: view.begin(corner, &GRID_OF_TILES),
-                    grid: &GRID_OF_TILES,
-                    live,
-                    known: &Hint::OPEN,
-                    rows: &job.everything,
-                    thin: self.options.settings.thin,
-                };
-                surface.survey(self.isa, beams, &request, &mut findings);
-                shard.statistics.evaluations.beams += findings.count;
+                let findings = self.survey(job, &**surface, corner, live);
+                let evaluations = &mut shard.statistics.evaluations;
+                evaluations.beams += findings.count;
+                let apart = (0..TILES_OF_BLOCK).filter(|k| findings.apart >> k & 1 != 0);
+                let pixels = apart.map(|k| within(view.picture, place(k), TILE));
+                evaluations.apart += pixels.sum::<u64>();
                 findings
             })
             .collect();
         shard.statistics.phases.beams += clock.elapsed();
-        shard.statistics.rays += within(view.picture, corner);
+        shard.statistics.rays += within(view.picture, corner, BLOCK);
         for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
             tile.begin(view, place(k), self.domain.unwrap_or_default());
             if surveyed.iter().any(|found| found.hints[k].open) {
@@ -324,6 +343,48 @@ impl<'a> Job<'a> {
                 shard.statistics.area.add(&tile.area());
             }
         }
+    }
+
+    /// What is known of a surface in a block's tiles.
+    fn survey(
+        &self,
+        job: &TileJob,
+        surface: &dyn Prepared,
+        corner: [u32; 2],
+        live: u8,
+    ) -> Findings {
+        let mut findings = Findings::default();
+        let mut spans = Span8::ALL;
+        let mut open = live;
+        if let Some(outline) = job.outline {
+            for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
+                let [lo, hi] = outline.over(tile_of(corner, k), TILE);
+                (spans.lo[k], spans.hi[k]) = (lo, hi);
+                open &= !(u8::from(hi < lo) << k);
+            }
+        }
+        match job.beams {
+            _ if open == 0 => findings.close(),
+            Some(beams) => {
+                let request = Request {
+                    space: beams.space,
+                    corner: job.view.begin(corner, &GRID_OF_TILES),
+                    grid: &GRID_OF_TILES,
+                    live: open,
+                    within: spans,
+                    known: &Hint::OPEN,
+                    rows: &job.everything,
+                    thin: self.options.settings.thin,
+                };
+                surface.survey(self.isa, beams, &request, &mut findings);
+            }
+            None => {
+                findings.know(&Hint::OPEN, &job.everything);
+                findings.keep(open);
+            }
+        }
+        findings.apart |= live & !open;
+        findings
     }
 
     /// Traces one tile.
@@ -356,9 +417,18 @@ impl<'a> Job<'a> {
     }
 }
 
-/// The pixels of a block that are in the picture.
-fn within(picture: [u32; 2], corner: [u32; 2]) -> u64 {
-    let [width, height] = [0, 1].map(|k| BLOCK[k].min(picture[k] - corner[k]));
+/// The corner of a tile of the block with this corner.
+fn tile_of(corner: [u32; 2], k: usize) -> [u32; 2] {
+    let (x, y) = (
+        k as u32 % GRID_OF_TILES.columns,
+        k as u32 / GRID_OF_TILES.columns,
+    );
+    [corner[0] + x * TILE[0], corner[1] + y * TILE[1]]
+}
+
+/// The pixels of a rectangle that are in the picture, where its corner is.
+fn within(picture: [u32; 2], corner: [u32; 2], size: [u32; 2]) -> u64 {
+    let [width, height] = [0, 1].map(|k| size[k].min(picture[k] - corner[k]));
     u64::from(width) * u64::from(height)
 }
 

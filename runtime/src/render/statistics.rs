@@ -7,6 +7,8 @@ use crate::solve::Evaluations;
 /// Time, summed over threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Phases {
+    /// Finding where an octree's boxes are on the picture.
+    pub space: Duration,
     /// Surveying blocks.
     pub beams: Duration,
     /// Making rays and finding roots.
@@ -17,6 +19,7 @@ pub struct Phases {
 
 impl Phases {
     pub(super) fn add(&mut self, other: &Phases) {
+        self.space += other.space;
         self.beams += other.beams;
         self.roots += other.roots;
         self.normals += other.normals;
@@ -142,7 +145,8 @@ impl std::fmt::Display for Statistics {
         writeln!(
             f,
             "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, fine {:.4}, gradient {:.2}; \
-             per packet {:.2}, over beams {:.3}; skipped: empty beams {:.2}, beams with one root {:.2}, outside the box {:.2}, closed form {:.2}, operands {:.2} (in part {:.2})",
+             per packet {:.2}, over beams {:.3}; skipped: empty beams {:.2}, beams with one root {:.2}, outside the box {:.2}, closed form {:.2}, operands {:.2} (in part {:.2}), \
+             surfaces apart {:.2} (in part {:.2})",
             per_ray(e.value),
             per_ray(e.slope),
             per_ray(e.curvature),
@@ -157,11 +161,14 @@ impl std::fmt::Display for Statistics {
             per_ray(self.outside),
             per_ray(e.closed),
             per_ray(e.spared),
-            per_ray(e.shortened)
+            per_ray(e.shortened),
+            per_ray(e.apart),
+            per_ray(e.trimmed)
         )?;
         write!(
             f,
-            "ns per ray and thread: blocks {:.1}, roots {:.1}, normals {:.1}",
+            "ns per ray and thread: boxes {:.1}, blocks {:.1}, roots {:.1}, normals {:.1}",
+            nanoseconds(self.phases.space),
             nanoseconds(self.phases.beams),
             nanoseconds(self.phases.roots),
             nanoseconds(self.phases.normals)

@@ -6,7 +6,9 @@ use crate::beam::{Grid, Rows};
 use crate::camera::{COLUMNS, Camera, ROWS, Sampling, plane};
 use crate::interval::Packet;
 use crate::ray::{Lines, clip};
+use crate::solid::Span8;
 use crate::solve::Evaluations;
+use crate::space::Outline;
 use crate::verdict::Verdict;
 
 /// Packets are blocks of 4×2 pixels: neighbours need the same steps.
@@ -237,8 +239,27 @@ impl Tile {
         &mut self.rows[index]
     }
 
+    /// The cells in which an octree has boxes; all if there is none.
+    pub fn boxed(&self, outline: Option<&Outline>) -> u8 {
+        let spans = self.spans(outline);
+        let cells = (0..CELLS).filter(|k| spans.lo[*k] <= spans.hi[*k]);
+        cells.fold(0, |cells, k| cells | 1 << k)
+    }
+
+    /// Where an octree's boxes are in each cell, in t; everywhere if there is none.
+    pub fn spans(&self, outline: Option<&Outline>) -> Span8 {
+        let mut spans = Span8::ALL;
+        if let Some(outline) = outline {
+            for cell in 0..CELLS {
+                let [lo, hi] = outline.over(self.corner_of(cell * PACKETS_OF_CELL), CELL);
+                (spans.lo[cell], spans.hi[cell]) = (lo, hi);
+            }
+        }
+        spans
+    }
+
     /// The pixels of the picture in a cell.
-    fn pixels(&self, cell: usize) -> u64 {
+    pub fn pixels(&self, cell: usize) -> u64 {
         let offset = Self::offset(cell * PACKETS_OF_CELL);
         let [width, height] = [0, 1].map(|k| CELL[k].min(self.size[k].saturating_sub(offset[k])));
         u64::from(width) * u64::from(height)

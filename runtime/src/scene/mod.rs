@@ -2,10 +2,12 @@
 
 mod surface;
 
-pub(crate) use surface::{Label, Prepared, TileJob, Trace};
+pub(crate) use surface::{Label, Prepared, Search, TileJob, Trace};
 
 use crate::contract::Contractor;
+use crate::render::RenderError;
 use crate::solid::Operand;
+use crate::space::{Octree, Subdivision};
 use crate::surface::{ParameterError, Surface};
 
 /// Surfaces and [solids](crate::solid), and the box that they are seen in.
@@ -22,6 +24,7 @@ use crate::surface::{ParameterError, Surface};
 pub struct Scene {
     pub(crate) surfaces: Vec<Box<dyn Trace>>,
     bounds: Option<[[f64; 3]; 2]>,
+    octree: Option<Octree>,
 }
 
 /// A scene that cannot be rendered.
@@ -70,12 +73,41 @@ impl Scene {
 
     pub(crate) fn add(mut self, object: Box<dyn Trace>) -> Self {
         self.surfaces.push(object);
+        self.octree = None;
         self
     }
 
     /// The box in which surfaces without a domain of their own are searched.
     pub fn within(mut self, low: [f64; 3], high: [f64; 3]) -> Self {
         self.bounds = Some([low, high]);
+        self.octree = None;
+        self
+    }
+
+    /// Finds the boxes in which its surfaces may have roots, for all pictures and rays to come: see
+    /// [`space`](crate::space). It uses the threads of rayon's current pool. What is added to the scene afterwards, or another
+    /// box, drops them again.
+    ///
+    /// # Errors
+    /// As [`render`](fn@crate::render), for the scene and the instruction set.
+    pub fn subdivided(mut self, how: &Subdivision) -> Result<Self, RenderError> {
+        self.octree = Some(Octree::new(&self, how)?);
+        Ok(self)
+    }
+
+    /// The boxes that [`subdivided`](Self::subdivided) found.
+    pub fn octree(&self) -> Option<&Octree> {
+        self.octree.as_ref()
+    }
+
+    /// Calls one of the smallest boxes of an object empty, whatever it holds: for negative controls alone.
+    #[cfg(feature = "unrounded")]
+    #[doc(hidden)]
+    #[must_use]
+    pub fn forget_box(mut self, object: usize, number: u32) -> Self {
+        if let Some(octree) = &mut self.octree {
+            octree.forget(object, number);
+        }
         self
     }
 

@@ -1,5 +1,6 @@
 //! A surface with its solver behind one object-safe trait: one virtual call per tile, not per ray.
 
+use core::any::Any;
 use core::marker::PhantomData;
 
 use crate::beam::{Findings, Frame, Hint, Request, Rows};
@@ -8,9 +9,11 @@ use crate::contract::Contractor;
 use crate::interval::Isa;
 use crate::render::tile::{Tile, View};
 use crate::solve::Settings;
+use crate::space::{Boxes, Division, Outline};
 use crate::surface::{Active, ParameterError, Surface};
 use crate::trace::{
-    AlongRay, AssembleLeaves, Leaves, NormalsOfTile, SurveyGrid, TraceTile, Trail, WithBeams,
+    AlongRay, AssembleLeaves, DivideBoxes, Leaves, NormalsOfTile, SurveyGrid, TraceTile, Trail,
+    WithBeams,
 };
 
 /// A surface in a scene.
@@ -45,8 +48,19 @@ pub(crate) struct TileJob<'a> {
     pub domain: &'a [[f64; 3]; 2],
     pub index: u16,
     pub beams: Option<WithBeams<'a>>,
+    /// Where its octree's boxes are on the picture.
+    pub outline: Option<&'a Outline>,
     /// All rows of its tables.
     pub everything: Rows,
+}
+
+/// Where a ray is searched.
+pub(crate) struct Search<'a> {
+    pub ray: &'a Ray,
+    /// The surface's box.
+    pub domain: &'a [[f64; 3]; 2],
+    /// The first and the last t of its octree's boxes, counted as the ray does; crossed if it meets none.
+    pub within: Option<[f64; 2]>,
 }
 
 /// A surface after the surface stage, ready for any number of tiles.
@@ -57,19 +71,20 @@ pub(crate) trait Prepared: Send + Sync {
     fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, findings: &mut Findings);
     /// All rows of its tables.
     fn everything(&self) -> Active;
+    /// Which parts of boxes may hold roots; nothing if that cannot be told. The leaves, if there are any, are those along the
+    /// axes from the lower corner.
+    fn divide(
+        &self,
+        isa: Isa,
+        leaves: Option<&(dyn Any + Send + Sync)>,
+        boxes: &Boxes,
+    ) -> Option<Division>;
     /// Traces the tile's rays inside the surface's box, and keeps what is nearer than what the tile holds.
     fn trace(&self, job: &TileJob, known: (&Hint, &Rows), tile: &mut Tile);
     /// Normals for the pixels that show this surface.
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile);
     /// All events along one ray, or those up to the first certain root.
-    fn along(
-        &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        ray: &Ray,
-        first_only: bool,
-    ) -> Trail;
+    fn along(&self, isa: Isa, settings: &Settings, search: &Search, first_only: bool) -> Trail;
 }
 
 pub(crate) struct Solver<S, C> {
@@ -128,6 +143,19 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
     fn everything(&self) -> Active {
         S::everything(&self.prepared)
     }
+    fn divide(
+        &self,
+        isa: Isa,
+        leaves: Option<&(dyn Any + Send + Sync)>,
+        boxes: &Boxes,
+    ) -> Option<Division> {
+        isa.run(DivideBoxes::<S> {
+            prepared: &self.prepared,
+            leaves: leaves?,
+            boxes,
+            surface: PhantomData,
+        })
+    }
     fn trace(&self, job: &TileJob, (hint, rows): (&Hint, &Rows), tile: &mut Tile) {
         job.isa.run(TraceTile::<S, C> {
             prepared: &self.prepared,
@@ -141,19 +169,11 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
         isa.run(NormalsOfTile::<S>::new(&self.prepared, index, tile));
     }
-    fn along(
-        &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        ray: &Ray,
-        first_only: bool,
-    ) -> Trail {
+    fn along(&self, isa: Isa, settings: &Settings, search: &Search, first_only: bool) -> Trail {
         isa.run(AlongRay::<S, C> {
             prepared: &self.prepared,
             settings,
-            domain,
-            ray,
+            search,
             first_only,
             solver: PhantomData,
         })

@@ -24,7 +24,8 @@ impl Cells<'_> {
     /// Traces the tile, of which this much is known.
     pub fn trace(mut self, (hint, rows): (&Hint, &Rows)) {
         let (mut cells, mut packets) = (Findings::default(), Findings::default());
-        let part = (self.tile.corner, self.tile.cells());
+        let live = self.tile.cells() & self.tile.boxed(self.job.outline);
+        let part = (self.tile.corner, live);
         self.look(&Tile::GRID_OF_CELLS, part, (hint, rows), &mut cells);
         let mut missed = 0;
         let full = hint.is_full();
@@ -59,6 +60,7 @@ impl Cells<'_> {
             corner: self.job.view.begin(corner, grid),
             grid,
             live,
+            within: Span8::ALL,
             known,
             rows,
             thin: self.job.settings.thin,

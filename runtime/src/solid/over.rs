@@ -2,6 +2,7 @@
 
 use core::any::Any;
 
+use super::span::Span8;
 use super::trace::PreparedSolid;
 use super::tree::{Node, Side};
 use crate::beam::{Bundle, Findings, Hint, Request, Scout, Shift, Slab, Thin, Towards};
@@ -235,7 +236,14 @@ impl Kernel for SurveySolid<'_> {
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
         match OverSolid::<P>::new(self.solid, self.leaves) {
-            Some(mut over) => Scout::survey(p, &mut over, self.request, self.findings),
+            Some(mut over) => {
+                // Sides of operands are to hold along all of the rays: an octree's boxes end beams, and shorten none.
+                let request = Request {
+                    within: Span8::ALL,
+                    ..*self.request
+                };
+                Scout::survey(p, &mut over, &request, self.findings);
+            }
             None => self.findings.know(&Hint::OPEN, self.request.rows),
         }
     }

@@ -1,4 +1,4 @@
-//! A piece of each of eight rays.
+//! A piece of each of eight rays, or beams.
 
 use crate::interval::Interval;
 
@@ -13,6 +13,12 @@ impl Span8 {
     pub const EMPTY: Span8 = Span8 {
         lo: [f64::INFINITY; 8],
         hi: [f64::NEG_INFINITY; 8],
+    };
+
+    /// Whole lines.
+    pub const ALL: Span8 = Span8 {
+        lo: [f64::NEG_INFINITY; 8],
+        hi: [f64::INFINITY; 8],
     };
 
     /// One ray's.

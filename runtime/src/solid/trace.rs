@@ -1,5 +1,6 @@
 //! A solid in a scene.
 
+use core::any::Any;
 use std::ops::Range;
 
 use super::cells::Cells;
@@ -9,14 +10,15 @@ use super::span::Span8;
 use super::sweep::Face;
 use super::tile::{Explorer, Known, Look};
 use super::tree::Node;
-use super::{Part, Solid};
+use super::{Part, Side, Solid};
 use crate::beam::{Findings, Frame, Hint, Request, Rows};
 use crate::camera::Ray;
 use crate::interval::{Interval, Isa, Kernel, Packet};
 use crate::ray::Lines;
-use crate::render::tile::{Event, PACKETS, PACKETS_OF_CELL, PacketRays, Tile, View};
-use crate::scene::{Label, Prepared, TileJob, Trace};
+use crate::render::tile::{CELLS, Event, PACKETS_OF_CELL, PacketRays, Tile, View};
+use crate::scene::{Label, Prepared, Search, TileJob, Trace};
 use crate::solve::Settings;
+use crate::space::{Boxes, Division, eight};
 use crate::surface::{Active, ParameterError};
 use crate::trace::{BeamOf, Leaves, Trail, WithBeams, segment};
 use crate::verdict::Verdict;
@@ -228,6 +230,25 @@ impl Prepared for PreparedSolid<'_> {
         Active::everything(&[], 0, self.leaves.len())
     }
 
+    /// A part holds no face where all of it is on one side.
+    fn divide(
+        &self,
+        isa: Isa,
+        _leaves: Option<&(dyn Any + Send + Sync)>,
+        boxes: &Boxes,
+    ) -> Option<Division> {
+        let mut division = Division::default();
+        for (place, active) in boxes.cells {
+            let sides = self.sides(isa, &boxes.root.boxes(&eight(*place), boxes.level));
+            let unknown = (0..8).filter(|k| sides[*k] == Side::Unknown);
+            let open = unknown.fold(0, |open, k| open | 1 << k);
+            // Twice for each operand, at most: over the box and at its middle.
+            division.evaluations += 2 * self.leaves.len() as u64;
+            division.add(*place, open, |_| active.clone());
+        }
+        Some(division)
+    }
+
     fn trace(&self, job: &TileJob, known: (&Hint, &Rows), tile: &mut Tile) {
         if let Some(beams) = &job.beams {
             let cells = Cells {
@@ -238,9 +259,15 @@ impl Prepared for PreparedSolid<'_> {
             };
             return cells.trace(known);
         }
-        // Nothing is known about rays beside those that sample.
-        tile.missed = 0;
-        for first in (0..PACKETS).step_by(PACKETS_OF_CELL) {
+        let wanted = tile.boxed(job.outline);
+        // Elsewhere nothing is known about rays beside those that sample.
+        tile.missed &= !wanted;
+        for cell in 0..CELLS {
+            if wanted >> cell & 1 == 0 {
+                tile.counts.apart += tile.pixels(cell);
+                continue;
+            }
+            let first = cell * PACKETS_OF_CELL;
             let packets = first..first + PACKETS_OF_CELL;
             job.isa.run(Enter {
                 view: job.view,
@@ -270,14 +297,12 @@ impl Prepared for PreparedSolid<'_> {
         }
     }
 
-    fn along(
-        &self,
-        isa: Isa,
-        settings: &Settings,
-        domain: &[[f64; 3]; 2],
-        ray: &Ray,
-        first_only: bool,
-    ) -> Trail {
+    fn along(&self, isa: Isa, settings: &Settings, search: &Search, first_only: bool) -> Trail {
+        let Search {
+            ray,
+            domain,
+            within,
+        } = *search;
         let mut tile = isa.run(OneRay { ray, domain });
         let end = tile.packets[0].limit[0];
         if end < 0.0 {
@@ -288,6 +313,9 @@ impl Prepared for PreparedSolid<'_> {
             end: Some(end),
             ..Trail::default()
         };
+        if within.is_some_and(|[first, last]| first > last) {
+            return trail;
+        }
         let look = Look {
             isa,
             settings,

@@ -6,6 +6,7 @@ use super::tree::Side;
 use crate::interval::{Arithmetic, Interval, Isa, Scalar};
 use crate::render::RenderError;
 use crate::scene::{Scene, Trace};
+use crate::space::{Place, Root, eight};
 
 /// Parts of a box's volume, each enclosed; together they are the whole box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,9 +18,6 @@ pub struct Volume {
     /// The cells that hold the boundary, or that enclosures do not tell from it.
     pub undecided: Interval,
 }
-
-/// Cells of the current depth: the lower corner's numbers.
-type Cell = [u32; 3];
 
 impl Solid {
     /// Divides a box into eight, and each part that is neither certainly inside nor certainly outside again, `depth` times
@@ -33,12 +31,12 @@ impl Solid {
         self.check().map_err(crate::scene::SceneError::from)?;
         let isa = Isa::detect()?;
         let prepared = self.ready();
-        let mut cells: Vec<Cell> = vec![[0; 3]];
-        let mut whole = Interval::ONE;
-        for (&lo, &hi) in within[0].iter().zip(&within[1]) {
-            let [lo, hi] = [lo, hi].map(Interval::point);
-            whole = Scalar.mul(whole, Scalar.sub(hi, lo));
-        }
+        let mut cells: Vec<Place> = vec![[0; 3]];
+        let root = Root::new(within);
+        let whole = root
+            .size
+            .into_iter()
+            .fold(Interval::ONE, |a, b| Scalar.mul(a, b));
         let share = |count: usize, level: u32| {
             // Powers of two and counts below 2⁴⁸ are exact.
             let part = (0..level).fold(count as f64, |part, _| part * 0.125);
@@ -51,7 +49,7 @@ impl Solid {
             let (mut full, mut empty) = (0, 0);
             for cell in cells {
                 let parts = eight(cell);
-                let sides = prepared.sides(isa, &boxes(&parts, level, &within));
+                let sides = prepared.sides(isa, &root.boxes(&parts, level));
                 for (part, side) in parts.into_iter().zip(sides) {
                     match side {
                         Side::In => full += 1,
@@ -72,25 +70,9 @@ impl Solid {
     }
 }
 
-fn eight([x, y, z]: Cell) -> [Cell; 8] {
-    [0, 1, 2, 3, 4, 5, 6, 7].map(|k| [2 * x + (k & 1), 2 * y + (k >> 1 & 1), 2 * z + (k >> 2)])
-}
-
-/// Enclosures of cells: from low + (high − low)·i/2ˡ to the same with i + 1.
-fn boxes(cells: &[Cell; 8], level: u32, [low, high]: &[[f64; 3]; 2]) -> [[Interval; 8]; 3] {
-    let p = Scalar;
-    [0, 1, 2].map(|axis| {
-        let (lo, hi) = (Interval::point(low[axis]), Interval::point(high[axis]));
-        let length = p.sub(hi, lo);
-        let scale = 1.0 / f64::from(1u32 << level);
-        let cut = |i: u32| p.add(lo, p.mul(length, Interval::point(f64::from(i) * scale)));
-        cells.map(|cell| cut(cell[axis]).hull(&cut(cell[axis] + 1)))
-    })
-}
-
 impl PreparedSolid<'_> {
     /// The sides of eight boxes.
-    fn sides(&self, isa: Isa, boxes: &[[Interval; 8]; 3]) -> [Side; 8] {
+    pub fn sides(&self, isa: Isa, boxes: &[[Interval; 8]; 3]) -> [Side; 8] {
         self.node
             .sides(&mut |index| self.leaves[index].boxes(isa, boxes))
     }

@@ -61,6 +61,11 @@ pub struct Evaluations {
     pub shortened: u64,
     /// Rays whose only root a beam had separated: they are not searched.
     pub single: u64,
+    /// Rays for which a surface was not evaluated because their tile or cell of the picture passes by its box, or by all
+    /// boxes of its octree: surface by surface.
+    pub apart: u64,
+    /// Rays whose search for a surface was shortened to where boxes of its octree are.
+    pub trimmed: u64,
     /// Rows of tables that packets of eight rays were bound to.
     pub rows: u64,
     /// Choices between two sides that were decided for packets of eight rays.
@@ -107,6 +112,8 @@ impl Evaluations {
         self.spared += other.spared;
         self.shortened += other.shortened;
         self.single += other.single;
+        self.apart += other.apart;
+        self.trimmed += other.trimmed;
         self.rows += other.rows;
         self.decided += other.decided;
         self.beams += other.beams;

@@ -36,6 +36,8 @@ pub struct Settings {
     pub closed_forms: bool,
     /// Trace beams of rays before rays.
     pub beams: bool,
+    /// Use the boxes of a scene that was [subdivided](crate::Scene::subdivided).
+    pub space: bool,
     /// Visit only those rows of tables, and compute only those sides of choices, that can matter in a beam.
     pub thin: bool,
     /// Once a bracket with exactly one root is proved, converge in plain floats and certify the end; otherwise go on with
@@ -84,6 +86,7 @@ impl Default for Settings {
             budget: 10_000,
             closed_forms: true,
             beams: true,
+            space: true,
             thin: true,
             plain_convergence: true,
             narrowing: Narrowing::default(),

@@ -11,6 +11,7 @@ use crate::beam::{
 };
 use crate::interval::{Kernel, Packet, Routine};
 use crate::solve::Enclosed;
+use crate::space::{Boxes, Divider, Division};
 use crate::surface::{Active, Surface};
 
 /// The leaves of a whole picture, `S::Bound<OverBeams<P>>` of the render's instruction set.
@@ -223,4 +224,22 @@ fn open<'a, S: Surface + 'static, P: Packet>(
 ) -> Option<Operand<'a, P>> {
     let over = OverGroup::<S, P>::new(p, prepared.downcast_ref()?, leaves)?;
     Some(Box::new(over))
+}
+
+/// Which parts of boxes may hold roots; the leaves are those of [`Frame::axes_from`] the lower corner.
+pub(crate) struct DivideBoxes<'a, S: Surface> {
+    pub prepared: &'a S::Prepared,
+    pub leaves: &'a (dyn Any + Send + Sync),
+    pub boxes: &'a Boxes<'a>,
+    pub surface: PhantomData<S>,
+}
+
+impl<S: Surface> Kernel for DivideBoxes<'_, S> {
+    type Output = Option<Division>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Option<Division> {
+        let mut over = OverGroup::<S, P>::new(p, self.prepared, self.leaves)?;
+        Divider::divide(p, &mut over, self.boxes)
+    }
 }

@@ -13,7 +13,7 @@ mod tile;
 mod trails;
 
 pub(crate) use beams::{
-    AssembleLeaves, AssembleOperand, Leaves, OnPicture, Operand, SurveyGrid, WithBeams,
+    AssembleLeaves, AssembleOperand, DivideBoxes, Leaves, OnPicture, Operand, SurveyGrid, WithBeams,
 };
 pub(crate) use lone::{Lone, TraceLone};
 pub(crate) use normals::NormalsOfTile;

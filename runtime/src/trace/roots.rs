@@ -3,11 +3,11 @@
 use core::marker::PhantomData;
 
 use super::{Entries, FirstRoots, OnRays, bound};
-use crate::camera::Ray;
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Lines, Rays, clip};
-use crate::solve::{Evaluations, Events, Settings};
+use crate::scene::Search;
+use crate::solve::{Evaluations, Events, Settings, Solver};
 use crate::surface::Surface;
 use crate::verdict::{Verdict, Why};
 
@@ -30,8 +30,7 @@ pub struct Trail {
 pub(crate) struct AlongRay<'a, S: Surface, C> {
     pub prepared: &'a S::Prepared,
     pub settings: &'a Settings,
-    pub domain: &'a [[f64; 3]; 2],
-    pub ray: &'a Ray,
+    pub search: &'a Search<'a>,
     /// End at the first certain root?
     pub first_only: bool,
     pub solver: PhantomData<C>,
@@ -43,8 +42,8 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> Trail {
         let mut counts = Evaluations::default();
-        let lines = Lines::same(self.ray);
-        let span = clip(p, &lines, self.domain);
+        let lines = Lines::same(self.search.ray);
+        let span = clip(p, &lines, self.search.domain);
         if p.bits(p.le(span.near, span.far)) & 1 == 0 {
             return Trail::default();
         }
@@ -65,56 +64,44 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             counts: &mut counts,
             spent: p.splat(0.0),
         };
-        let mut events = Events::default();
-        let solver = C::solver();
-        let mut over = Interval {
+        let entry = span.near;
+        let whole = Interval {
             lo: p.splat(0.0),
             hi: length,
         };
-        let one = p.mask(1);
+        let mut over = match self.search.within {
+            None => whole,
+            Some([first, last]) => Interval {
+                lo: p.max_f(p.sub_rd(p.splat(first), entry), whole.lo),
+                hi: p.min_f(p.sub_ru(p.splat(last), entry), whole.hi),
+            },
+        };
+        if p.bits(p.le(over.lo, over.hi)) & 1 == 0 {
+            return trail;
+        }
         loop {
-            let job = FirstRoots::<S, P> {
+            let t = over;
+            let searched = Searched::<S, P> {
                 surface: &mut surface,
                 settings: self.settings,
                 lines: &lines,
-                entry: span.near,
-                over: &over,
-                live: one,
-                first: length,
-                known: None,
+                entry,
                 first_only: self.first_only,
-                twice: self.settings.narrowing.twice(false),
-                events: &mut events,
-                cuts: Some(&mut trail.cuts),
-                solver,
+                solver: C::solver(),
             };
-            let roots = job.find(p);
-            for verdict in &events.of[0] {
-                verdict.append(&mut trail.events);
-            }
-            events.clear();
-            if p.bits(roots.hit) & 1 == 0 {
+            searched.along(p, t, &mut trail);
+            // What the ends of a shorter search may have caused is looked at again.
+            let plain = trail
+                .events
+                .iter()
+                .all(|e| matches!(e, Verdict::Root { .. }));
+            let all = p.bits(p.and(p.le(t.lo, whole.lo), p.le(whole.hi, t.hi))) & 1 != 0;
+            if plain || all {
                 break;
             }
-            let t = Interval {
-                lo: p.to_array(roots.t.lo)[0],
-                hi: p.to_array(roots.t.hi)[0],
-            };
-            Verdict::Root { t }.append(&mut trail.events);
-            over.lo = roots.resume;
-            let rest = Interval {
-                lo: p.to_array(over.lo)[0],
-                hi: p.to_array(over.hi)[0],
-            };
-            if self.first_only || rest.lo >= rest.hi {
-                break;
-            }
-            // What is kept back finishes one search, not the next.
-            if p.to_array(surface.spent)[0] > self.settings.limit() {
-                let why = Why::Budget;
-                Verdict::Unresolved { t: rest, why }.append(&mut trail.events);
-                break;
-            }
+            trail.events.clear();
+            trail.cuts.clear();
+            over = whole;
         }
         trail.evaluations = counts;
         // Where searches meet, events may have become one.
@@ -129,5 +116,68 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
                 .truncate(first.map_or(usize::MAX, |hit| hit + 1));
         }
         trail
+    }
+}
+
+/// A search along the first ray of a packet.
+struct Searched<'b, 'f, S: Surface, P: Packet> {
+    surface: &'b mut OnRays<'f, S, P>,
+    settings: &'b Settings,
+    lines: &'b Lines,
+    entry: P::F,
+    first_only: bool,
+    solver: Solver<P>,
+}
+
+impl<S: Surface, P: Packet> Searched<'_, '_, S, P> {
+    /// Root after root.
+    #[inline(always)]
+    fn along(self, p: P, mut over: Interval<P::F>, trail: &mut Trail) {
+        let mut events = Events::default();
+        let number = |x: P::F| p.to_array(x)[0];
+        loop {
+            let job = FirstRoots::<S, P> {
+                surface: &mut *self.surface,
+                settings: self.settings,
+                lines: self.lines,
+                entry: self.entry,
+                over: &over,
+                live: p.mask(1),
+                first: over.hi,
+                known: None,
+                first_only: self.first_only,
+                twice: self.settings.narrowing.twice(false),
+                events: &mut events,
+                cuts: Some(&mut trail.cuts),
+                solver: self.solver,
+            };
+            let roots = job.find(p);
+            for verdict in &events.of[0] {
+                verdict.append(&mut trail.events);
+            }
+            events.clear();
+            if p.bits(roots.hit) & 1 == 0 {
+                return;
+            }
+            let t = Interval {
+                lo: number(roots.t.lo),
+                hi: number(roots.t.hi),
+            };
+            Verdict::Root { t }.append(&mut trail.events);
+            over.lo = roots.resume;
+            let rest = Interval {
+                lo: number(over.lo),
+                hi: number(over.hi),
+            };
+            if self.first_only || rest.lo >= rest.hi {
+                return;
+            }
+            // What is kept back finishes one search, not the next.
+            if number(self.surface.spent) > self.settings.limit() {
+                let why = Why::Budget;
+                Verdict::Unresolved { t: rest, why }.append(&mut trail.events);
+                return;
+            }
+        }
     }
 }

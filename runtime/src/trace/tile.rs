@@ -8,9 +8,11 @@ use crate::beam::{Bundle, Findings, Grid, Hint, Request, Rows, Scout, Single, Sp
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Rays, clip};
-use crate::render::tile::{Event, PACKETS_OF_CELL, PacketRays, Tile, View};
+use crate::render::tile::{CELLS, Event, PACKETS_OF_CELL, PacketRays, Tile, View};
 use crate::scene::TileJob;
+use crate::solid::Span8;
 use crate::solve::{Brackets, Events, Roots, Settings};
+use crate::space::Outline;
 use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
 
@@ -39,9 +41,13 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
             _ => None,
         };
         let known = (&self.hint, self.rows);
+        // Where a beam has found all roots there is nothing to add.
+        let outline = self.job.outline.filter(|_| !self.hint.is_full());
         match (over, beams) {
-            (Some(mut over), Some(beams)) => trace.cells(Some((&mut over, beams.space)), known),
-            _ => trace.cells(None, known),
+            (Some(mut over), Some(beams)) => {
+                trace.cells(Some((&mut over, beams.space)), known, outline);
+            }
+            _ => trace.cells(None, known, outline),
         }
     }
 }
@@ -55,6 +61,8 @@ pub(super) struct Packets<'a, S: Surface, C, P: Packet> {
     own: Option<&'a [[f64; 3]; 2]>,
     index: u16,
     view: &'a View<'a>,
+    /// All rows of its tables.
+    everything: &'a Active,
     tile: &'a mut Tile,
     bound: S::Bound<P>,
     events: Events,
@@ -66,7 +74,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
     pub fn new(
         p: P,
         prepared: &'a S::Prepared,
-        job: &TileJob<'a>,
+        job: &'a TileJob<'a>,
         index: u16,
         tile: &'a mut Tile,
     ) -> Self {
@@ -77,6 +85,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             own: (*job.domain != tile.domain).then_some(job.domain),
             index,
             view: job.view,
+            everything: &job.everything.all,
             tile,
             bound: S::unbound::<P>(p),
             events: Events::default(),
@@ -91,11 +100,17 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         &mut self,
         mut surface: Option<(&mut dyn Bundle<P>, Space)>,
         (hint, rows): (&Hint, &Rows),
+        outline: Option<&Outline>,
     ) {
         let (mut cells, mut packets) = (Findings::default(), Findings::default());
+        let spans = self.tile.spans(outline);
+        let all = self.tile.cells();
+        let open = (0..CELLS).filter(|k| spans.lo[*k] <= spans.hi[*k]);
+        let open = all & open.fold(0, |open, k| open | 1 << k);
         match &mut surface {
+            _ if open == 0 => cells.close(),
             Some(surface) => {
-                let part = (self.tile.corner, self.tile.cells());
+                let part = (self.tile.corner, open, spans);
                 self.look(
                     surface,
                     &Tile::GRID_OF_CELLS,
@@ -104,11 +119,18 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
                     &mut cells,
                 );
             }
-            None => cells.know(hint, rows),
+            None => {
+                cells.know(hint, rows);
+                cells.keep(open);
+            }
         }
+        let apart = cells.apart | all & !open;
+        let apart = (0..CELLS).filter(|k| apart >> k & 1 != 0);
+        self.tile.counts.apart += apart.map(|k| self.tile.pixels(k)).sum::<u64>();
         let mut missed = 0;
         for (cell, (hint, rows)) in cells.hints.iter().zip(&cells.rows).enumerate() {
             let first = cell * PACKETS_OF_CELL;
+            let within = [spans.lo[cell], spans.hi[cell]];
             missed |= u8::from(!hint.open) << cell;
             self.tile.full |= u8::from(hint.is_full()) << cell;
             if !hint.open {
@@ -116,7 +138,12 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             }
             let looked = match &mut surface {
                 Some(surface) if hint.single.is_none() => {
-                    let part = (self.tile.corner_of(first), self.tile.packets_of(cell));
+                    let within = Span8 {
+                        lo: [within[0]; 8],
+                        hi: [within[1]; 8],
+                    };
+                    let corner = self.tile.corner_of(first);
+                    let part = (corner, self.tile.packets_of(cell), within);
                     self.look(
                         surface,
                         &Tile::GRID_OF_PACKETS,
@@ -135,7 +162,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
                     (hint, rows)
                 };
                 if hint.open {
-                    self.packet(first + k, hint, rows);
+                    self.packet(first + k, hint, rows, within);
                 }
             }
         }
@@ -149,7 +176,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         &self,
         (surface, space): &mut (&mut dyn Bundle<P>, Space),
         grid: &Grid,
-        (corner, live): ([u32; 2], u8),
+        (corner, live, within): ([u32; 2], u8, Span8),
         (known, rows): (&Hint, &Rows),
         findings: &mut Findings,
     ) {
@@ -158,6 +185,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             corner: self.view.begin(corner, grid),
             grid,
             live,
+            within,
             known,
             rows,
             thin: self.settings.thin,
@@ -165,44 +193,50 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         Scout::survey(self.p, *surface, &request, findings);
     }
 
-    /// Traces a packet of the tile, of which this much is known: where few rows of tables matter first. Rays that pass there,
-    /// or meet what is no certain root, are searched with all rows that matter.
+    /// Traces a packet of the tile, of which this much is known: first where few rows of tables matter, and where the
+    /// octree's boxes are. Rays that pass the former, or meet what is no certain root, are searched with all rows that matter;
+    /// those that meet it again, along all of their length.
     #[inline(always)]
-    fn packet(&mut self, number: usize, hint: &Hint, rows: &Rows) {
+    fn packet(&mut self, number: usize, hint: &Hint, rows: &Rows, within: [f64; 2]) {
         self.tile.enter(self.p, self.view, number);
         for part in 0..P::PARTS {
             self.p = self.p.part(part);
-            self.part(number, hint, rows);
+            self.part(number, hint, rows, within);
         }
     }
 
     #[inline(always)]
-    fn part(&mut self, number: usize, hint: &Hint, rows: &Rows) {
+    fn part(&mut self, number: usize, hint: &Hint, rows: &Rows, within: [f64; 2]) {
         let p = self.p;
         let mut left = Left {
             lanes: p.not(p.none()),
             from: p.splat(0.0),
             spent: p.splat(0.0),
         };
-        let mut look = (&rows.near, rows.reach);
+        let mut look = Look {
+            active: &rows.near,
+            reach: rows.reach,
+            within,
+        };
         loop {
-            left = self.search(number, hint, look, &left);
-            if look.1 == f64::INFINITY || !p.any(left.lanes) {
+            left = self.search(number, hint, &look, &left);
+            if look.is_whole() || !p.any(left.lanes) {
                 return;
             }
-            look = (&rows.all, f64::INFINITY);
+            if look.reach < f64::INFINITY {
+                look.active = &rows.all;
+                look.reach = f64::INFINITY;
+            } else {
+                // Beams left out rows as far as the boxes reach, and no further.
+                look.active = self.everything;
+                look.within = ANYWHERE;
+            }
         }
     }
 
-    /// Searches up to the reach of the active rows; what is left to be searched behind it.
+    /// Searches where a look asks for it; what is left to be searched then.
     #[inline(always)]
-    fn search(
-        &mut self,
-        number: usize,
-        hint: &Hint,
-        (active, reach): (&Active, f64),
-        left: &Left<P>,
-    ) -> Left<P> {
+    fn search(&mut self, number: usize, hint: &Hint, look: &Look, left: &Left<P>) -> Left<P> {
         let p = self.p;
         let packet = &mut self.tile.packets[number];
         let (mut over, live) = segment(p, packet, self.own);
@@ -210,8 +244,17 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         over.lo = p.max_f(over.lo, p.sub_rd(p.splat(hint.front), entry));
         over.lo = p.max_f(over.lo, left.from);
         let wanted = p.and(p.and(live, left.lanes), p.le(over.lo, over.hi));
+        let [first, last] = look.within.map(|t| p.splat(t));
+        let boxes = Interval {
+            lo: p.max_f(over.lo, p.sub_rd(first, entry)),
+            hi: p.min_f(over.hi, p.sub_ru(last, entry)),
+        };
+        let cut = p.or(p.lt(over.lo, boxes.lo), p.lt(boxes.hi, over.hi));
+        self.tile.counts.trimmed += u64::from(p.bits(p.and(wanted, cut)).count_ones());
+        over = boxes;
+        let wanted = p.and(wanted, p.le(over.lo, over.hi));
         let behind = over.hi;
-        over.hi = p.min_f(behind, p.sub_rd(p.splat(reach), entry));
+        over.hi = p.min_f(behind, p.sub_rd(p.splat(look.reach), entry));
         let live = p.and(wanted, p.le(over.lo, over.hi));
         let mut left = Left {
             lanes: p.and(wanted, p.lt(over.hi, behind)),
@@ -232,11 +275,11 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             known,
             first,
         };
-        let roots = self.roots(number, active, piece, &mut left.spent);
+        let roots = self.roots(number, look.active, piece, &mut left.spent);
         let packet = &mut self.tile.packets[number];
         let mut hit = roots.hit;
-        if self.events.touched != 0 && reach < f64::INFINITY {
-            // What the end of the reach, or rows that were left out, may have caused is looked at again.
+        if self.events.touched != 0 && !look.is_whole() {
+            // What the ends of the search, or rows that were left out, may have caused is looked at again.
             let again = p.and(live, p.mask(self.events.touched));
             self.events.clear();
             hit = p.and_not(hit, again);
@@ -368,6 +411,26 @@ struct Piece<P: Packet> {
     known: Option<Brackets<P>>,
     /// How long the first steps are.
     first: f64,
+}
+
+/// All of a ray.
+const ANYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// How rays are searched; parameters count from the camera.
+struct Look<'a> {
+    /// The rows of tables that matter, …
+    active: &'a Active,
+    /// … namely up to here.
+    reach: f64,
+    /// Elsewhere boxes tell that there is no root.
+    within: [f64; 2],
+}
+
+impl Look<'_> {
+    /// Is all of each ray searched that is of interest?
+    fn is_whole(&self) -> bool {
+        self.reach == f64::INFINITY && self.within == ANYWHERE
+    }
 }
 
 /// Rays that are still to be searched, from where, and the evaluations that they took so far.

@@ -142,12 +142,7 @@ impl<P: Packet> Surveyor<'_, P> {
             t: *t,
             half: [zero; 2],
         });
-        let x = p.radius(slab.half[0], p.magnitude(sides.by[0]), zero);
-        let around = p.radius(slab.half[1], p.magnitude(sides.by[1]), x);
-        Interval {
-            lo: p.sub_rd(middle.d[0].lo, around),
-            hi: p.add_ru(middle.d[0].hi, around),
-        }
+        slab.mean(p, &middle.d[0], &sides.by)
     }
 
     /// A point of the middle ray, nearly, and a direction.

@@ -6,6 +6,7 @@ mod single;
 
 use super::{Frame, Grid, Group, Hint, Rows, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
+use crate::solid::Span8;
 use crate::solve::{Enclosed, select};
 use crate::surface::Active;
 use march::Surveyor;
@@ -41,6 +42,8 @@ pub(crate) struct Request<'a> {
     pub grid: &'a Grid,
     /// The beams that are of interest.
     pub live: u8,
+    /// Where they are of interest, in t.
+    pub within: Span8,
     /// What is known about all of them.
     pub known: &'a Hint,
     /// The rows that matter in them.
@@ -55,6 +58,8 @@ pub(crate) struct Findings {
     pub hints: [Hint; 8],
     /// The rows that matter in each, if it is open.
     pub rows: [Rows; 8],
+    /// Those of interest that pass by the surface's box.
+    pub apart: u8,
     /// Evaluations, counted once for all eight.
     pub count: u64,
     thin: Thin,
@@ -86,6 +91,18 @@ impl<P: Packet> Scout<P> {
 }
 
 impl Findings {
+    /// Nothing is in any beam.
+    pub fn close(&mut self) {
+        self.hints = [Hint::CLOSED; 8];
+    }
+
+    /// Nothing is in any other beams.
+    pub fn keep(&mut self, beams: u8) {
+        for (k, hint) in self.hints.iter_mut().enumerate() {
+            hint.open &= beams >> k & 1 != 0;
+        }
+    }
+
     /// The same of all beams.
     pub fn know(&mut self, hint: &Hint, rows: &Rows) {
         self.hints = [*hint; 8];
@@ -104,6 +121,7 @@ impl<P: Packet> Routine<P> for Survey<'_, '_, P> {
 
     #[inline(always)]
     fn call(mut self, p: P) {
+        self.findings.apart = 0;
         for part in 0..P::PARTS {
             self.part(p.part(part));
         }
@@ -119,12 +137,19 @@ impl<P: Packet> Survey<'_, '_, P> {
             corner,
             grid,
             live,
+            within,
             known,
             rows,
             ..
         } = *self.request;
         let group = Group::new(p, frame, corner, grid);
-        let span = group.span(p, domain);
+        let mut span = group.span(p, domain);
+        let near = p.splat(frame.near);
+        let wanted = Interval {
+            lo: p.max_f(span.lo, p.sub_rd(p.lanes(within.lo), near)),
+            hi: p.min_f(span.hi, p.sub_ru(p.lanes(within.hi), near)),
+        };
+        span = select(p, p.mask(live), &wanted, &span);
         let start = p.splat((known.front - frame.near).max(0.0));
         let start = p.max_f(start, span.lo);
         let last = p.max_f(span.hi, start);
@@ -136,6 +161,7 @@ impl<P: Packet> Survey<'_, '_, P> {
             last,
             first: p.splat(known.length.min(0.25 * (frame.far - frame.near))),
         };
+        self.findings.apart |= live & p.bits(p.all()) & !p.bits(near.live);
         if !p.any(near.live) {
             p.own()
                 .for_each(|lane| self.findings.hints[lane].open = false);

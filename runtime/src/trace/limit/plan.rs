@@ -10,6 +10,7 @@ use crate::render::Rendering;
 use crate::render::tile::{
     BLOCK, CELLS, GRID_OF_TILES, PACKETS_OF_CELL, TILE, TILES_OF_BLOCK, Tile, View, blocks,
 };
+use crate::solid::Span8;
 use crate::solve::{Along, differentiable, excluded, nonzero};
 use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
@@ -76,7 +77,7 @@ impl<S: Surface> Kernel for Make<'_, S> {
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> bool {
         if const { compiled::<P>() } {
-            let Some(mut over) = OverGroup::<S, P>::new(p, self.prepared, &self.beams) else {
+            let Some(mut over) = OverGroup::<S, P>::new(p, self.prepared, self.beams.leaves) else {
                 return false;
             };
             let mut bound = S::unbound::<P>(p);
@@ -162,6 +163,7 @@ impl<S: Surface, P: Packet> Maker<'_, '_, S, P> {
             corner,
             grid,
             live,
+            within: Span8::ALL,
             known: hint,
             rows,
             thin: self.make.thin,

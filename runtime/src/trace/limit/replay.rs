@@ -39,7 +39,7 @@ impl<S: Surface> Kernel for Replay<'_, S> {
 impl<S: Surface> Replay<'_, S> {
     #[inline(always)]
     fn groups<P: Packet>(&self, p: P) {
-        let Some(mut over) = OverGroup::<S, P>::new(p, self.prepared, &self.beams) else {
+        let Some(mut over) = OverGroup::<S, P>::new(p, self.prepared, self.beams.leaves) else {
             return;
         };
         for of in &self.plan.groups {
