@@ -27,6 +27,12 @@
 //! # }
 //! ```
 //!
+//! # When it pays
+//!
+//! Beams of rays, which each picture uses by itself, find out the same for one camera. Beside them boxes save a tenth or a fifth of the
+//! time of pictures of constructive models and of unions of many parts, and nothing on simple shapes; where beams are switched
+//! off, up to more than half. Making them takes from a twentieth of a picture's time to a tenth.
+//!
 //! # What is proved
 //!
 //! A part is left out if an enclosure of f over all of it does not hold 0, or if f is nowhere defined there; it says so by
@@ -66,7 +72,8 @@ pub struct Subdivision {
 }
 
 impl Default for Subdivision {
-    /// Five times, to a 32nd of each side: finer boxes take longer to find on a picture of 512² than they save.
+    /// Five times, to a 32nd of each side. Finer boxes save a little more on costly formulas, and take several times as long
+    /// to make.
     fn default() -> Self {
         Subdivision {
             depth: 5,
