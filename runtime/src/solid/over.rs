@@ -121,6 +121,10 @@ impl<P: Packet> Bundle<P> for OverSolid<'_, P> {
         self.parts
     }
 
+    fn is_dear(&self) -> bool {
+        true
+    }
+
     fn shift(&mut self, p: P, shift: &Shift<P>, active: &Active) {
         self.parts = 0;
         let node = &self.solid.node;

@@ -25,6 +25,10 @@ pub(crate) trait Bundle<P: Packet> {
     fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2>;
     /// The terms of these beams' rows over a piece.
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin);
+    /// Do rays cost so much that beams are worth a second try?
+    fn is_dear(&self) -> bool {
+        false
+    }
 }
 
 /// A picture's frame, and the surface's box in it.

@@ -34,7 +34,9 @@ impl<P: Packet> Surveyor<'_, P> {
         let front = found.front;
         let root = self.guess(front);
         self.try_single(found, root, &NEAR);
-        self.try_single(found, root, &WIDE);
+        if self.surface.is_dear() {
+            self.try_single(found, root, &WIDE);
+        }
         if p.any(found.one) {
             found.plane = self.plane(root);
         }
