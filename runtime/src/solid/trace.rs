@@ -130,6 +130,10 @@ impl PreparedSolid<'_> {
             own: (*domain != tile.domain).then_some(domain),
             packets: of_cell,
         });
+        if over.iter().all(Span8::is_empty) {
+            tile.counts.apart += tile.pixels(packets.start / PACKETS_OF_CELL);
+            return;
+        }
         if let Some(beam) = look.isa.run(BeamOf { packets: of_cell }) {
             self.faces(
                 look,

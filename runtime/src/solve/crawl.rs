@@ -69,7 +69,13 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
             lo: at.d[0],
             hi: field.point(far, lanes).d[0],
         };
-        let found = tangent::tangent(field, &zone, &f, &ends, lanes);
+        let mut found = tangent::tangent(field, &zone, &f, &ends, lanes);
+        // From afar f'' is vague: closer by it tells more.
+        let sharp = p.le(
+            p.sub_rn(found.t.hi, found.t.lo),
+            p.mul_rn(end, p.splat(SHARP)),
+        );
+        found.tangent = p.and_not(found.tangent, p.and_not(early, sharp));
         report_tangents(p, found.tangent, &zone, &found, events);
         let one = found.brackets.found;
         jump.jumped = p.or(p.or(found.none, found.tangent), one);
@@ -79,6 +85,9 @@ impl<P: Packet> Routine<P> for Crawl<'_, '_, P> {
         jump
     }
 }
+
+/// A tangency that is met early is this narrow, beside the search.
+const SHARP: f64 = 1.0 / (1u64 << 22) as f64;
 
 /// Does the parabola with these derivatives turn at less than a quarter of f?
 #[inline(always)]

@@ -93,13 +93,16 @@ pub(crate) fn tangent<P: Packet>(
     let mut c = *t;
     let mut m = middle(p, &c);
     let mut round = 0;
-    while round < 3 {
+    let close = p.mul_rn(t.hi, p.splat(1.0 / (1u64 << 26) as f64));
+    let mut wide = proved;
+    while round < 3 || round < 12 && p.any(wide) {
         let at_m = field.slope(&Interval { lo: m, hi: m }, proved);
         let (step, _) = p.div(at_m.d[1], f.d[2]);
         let lo = p.max_f(p.sub_rd(m, step.hi), c.lo);
         let hi = p.min_f(p.sub_ru(m, step.lo), c.hi);
         c = select(p, p.and(proved, p.le(lo, hi)), &Interval { lo, hi }, &c);
         m = middle(p, &c);
+        wide = p.and(proved, p.lt(close, p.sub_rn(c.hi, c.lo)));
         round += 1;
     }
     let at_m = field.point(m, proved);
