@@ -309,7 +309,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             over: known.t,
             live: known.found,
             known: Some(known),
-            first: 0.0,
+            first: f64::INFINITY,
         };
         let roots = self.roots(number, active, piece, &mut p.splat(0.0));
         let packet = &mut self.tile.packets[number];
