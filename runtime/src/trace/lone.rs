@@ -1,6 +1,6 @@
 //! Rays on each of which a beam through a solid has separated the only root, which is one of an operand.
 
-use super::tile::Packets;
+use super::packet::Packets;
 use crate::beam::Single;
 use crate::contract::Auto;
 use crate::interval::{Kernel, Packet};

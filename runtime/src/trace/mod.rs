@@ -5,7 +5,9 @@ mod entries;
 #[cfg(feature = "limit")]
 pub mod limit;
 mod lone;
+mod nearest;
 mod normals;
+mod packet;
 mod range;
 mod roots;
 mod survey;
@@ -16,12 +18,13 @@ pub(crate) use beams::{
     AssembleLeaves, AssembleOperand, DivideBoxes, Leaves, OnPicture, Operand, SurveyGrid, WithBeams,
 };
 pub(crate) use lone::{Lone, TraceLone};
+pub(crate) use nearest::segment;
 pub(crate) use normals::NormalsOfTile;
 pub(crate) use range::RangeAlong;
 pub(crate) use roots::AlongRay;
 pub use roots::Trail;
 pub(crate) use survey::{Beam, BeamOf, SideOfBoxes, Survey, eighth};
-pub(crate) use tile::{TraceTile, segment};
+pub(crate) use tile::TraceTile;
 pub(crate) use trails::{Mark, Trails, TrailsOfTile};
 
 use crate::interval::{Interval, Packet, Routine};

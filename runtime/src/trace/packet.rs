@@ -1,0 +1,304 @@
+//! The rays of one packet of a tile against one surface.
+
+use core::marker::PhantomData;
+
+use super::nearest::{collect, keep, segment};
+use super::{Bind, Entries, FirstRoots, OnRays};
+use crate::beam::{Hint, Rows, Single};
+use crate::contract::Contractor;
+use crate::interval::{Interval, Packet};
+use crate::ray::Rays;
+use crate::render::tile::{Tile, View};
+use crate::scene::TileJob;
+use crate::solve::{Brackets, Events, Roots, Settings};
+use crate::surface::{Active, Surface};
+
+/// Packet after packet of a tile.
+pub(super) struct Packets<'a, S: Surface, C, P: Packet> {
+    pub(super) p: P,
+    prepared: &'a S::Prepared,
+    pub(super) settings: &'a Settings,
+    /// The surface's box, if it is not the scene's.
+    own: Option<&'a [[f64; 3]; 2]>,
+    pub(super) index: u16,
+    pub(super) view: &'a View<'a>,
+    /// All rows of its tables.
+    everything: &'a Active,
+    pub(super) tile: &'a mut Tile,
+    bound: S::Bound<P>,
+    events: Events,
+    solver: PhantomData<C>,
+}
+
+impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
+    #[inline(always)]
+    pub fn new(
+        p: P,
+        prepared: &'a S::Prepared,
+        job: &'a TileJob<'a>,
+        index: u16,
+        tile: &'a mut Tile,
+    ) -> Self {
+        Packets {
+            p,
+            prepared,
+            settings: job.settings,
+            own: (*job.domain != tile.domain).then_some(job.domain),
+            index,
+            view: job.view,
+            everything: &job.everything.all,
+            tile,
+            bound: S::unbound::<P>(p),
+            events: Events::default(),
+            solver: PhantomData,
+        }
+    }
+
+    /// Traces a packet of the tile, of which this much is known: first where few rows of tables matter, and where the
+    /// octree's boxes are. Rays that pass the former, or meet what is no certain root, are searched with all rows that matter;
+    /// those that meet it again, along all of their length.
+    #[inline(always)]
+    pub(super) fn part(&mut self, number: usize, hint: &Hint, rows: &Rows, within: [f64; 2]) {
+        let p = self.p;
+        let mut left = Left {
+            lanes: p.not(p.none()),
+            from: p.splat(0.0),
+            spent: p.splat(0.0),
+        };
+        let mut look = Look {
+            active: &rows.near,
+            reach: rows.reach,
+            within,
+        };
+        loop {
+            left = self.search(number, hint, &look, &left);
+            if look.is_whole() || !p.any(left.lanes) {
+                return;
+            }
+            if look.reach < f64::INFINITY {
+                look.active = &rows.all;
+                look.reach = f64::INFINITY;
+            } else {
+                // Beams left out rows as far as the boxes reach, and no further.
+                look.active = self.everything;
+                look.within = ANYWHERE;
+            }
+        }
+    }
+
+    /// Searches where a look asks for it; what is left to be searched then.
+    #[inline(always)]
+    fn search(&mut self, number: usize, hint: &Hint, look: &Look, left: &Left<P>) -> Left<P> {
+        let p = self.p;
+        let packet = &mut self.tile.packets[number];
+        let (mut over, live) = segment(p, packet, self.own);
+        let entry = p.lanes(packet.record.entry);
+        over.lo = p.max_f(over.lo, p.sub_rd(p.splat(hint.front), entry));
+        over.lo = p.max_f(over.lo, left.from);
+        let wanted = p.and(p.and(live, left.lanes), p.le(over.lo, over.hi));
+        let [first, last] = look.within.map(|t| p.splat(t));
+        let boxes = Interval {
+            lo: p.max_f(over.lo, p.sub_rd(first, entry)),
+            hi: p.min_f(over.hi, p.sub_ru(last, entry)),
+        };
+        let cut = p.or(p.lt(over.lo, boxes.lo), p.lt(boxes.hi, over.hi));
+        self.tile.counts.trimmed += u64::from(p.bits(p.and(wanted, cut)).count_ones());
+        over = boxes;
+        let wanted = p.and(wanted, p.le(over.lo, over.hi));
+        let behind = over.hi;
+        over.hi = p.min_f(behind, p.sub_rd(p.splat(look.reach), entry));
+        let live = p.and(wanted, p.le(over.lo, over.hi));
+        let mut left = Left {
+            lanes: p.and(wanted, p.lt(over.hi, behind)),
+            from: p.max_f(over.lo, over.hi),
+            spent: left.spent,
+        };
+        if !p.any(live) {
+            return left;
+        }
+        let piece = Piece {
+            over,
+            live,
+            known: match &hint.single {
+                Some(single) => Some(self.brackets(number, single, &over, live)),
+                None => None,
+            },
+            first: hint.length,
+        };
+        let roots = self.roots(number, look.active, piece, &mut left.spent);
+        let mut hit = roots.hit;
+        if self.events.touched != 0 && !look.is_whole() {
+            // What the ends of the search, or rows that were left out, may have caused is looked at again.
+            let again = p.and(live, p.mask(self.events.touched));
+            self.events.clear();
+            hit = p.and_not(hit, again);
+            left.lanes = p.or(left.lanes, again);
+            left.from = p.select(again, p.splat(0.0), left.from);
+        }
+        left.lanes = p.and_not(left.lanes, hit);
+        self.hold(number, hit, &roots.t);
+        left
+    }
+
+    /// Finds the roots of a packet whose rays have one each: on which rays it did. It does not on those that leave the box
+    /// where the roots are.
+    #[inline(always)]
+    pub fn only(&mut self, number: usize, single: &Single, active: &Active) -> u8 {
+        let p = self.p;
+        let (over, live) = segment(p, &self.tile.packets[number], self.own);
+        let known = self.brackets(number, single, &over, live);
+        if !p.any(known.found) {
+            return 0;
+        }
+        let found = known.found;
+        let piece = Piece {
+            over: known.t,
+            live: found,
+            known: Some(known),
+            first: f64::INFINITY,
+        };
+        let roots = self.roots(number, active, piece, &mut p.splat(0.0));
+        self.hold(number, roots.hit, &roots.t);
+        p.bits(found)
+    }
+
+    /// Keeps what a packet met.
+    #[inline(always)]
+    fn hold(&mut self, number: usize, hit: P::M, t: &Interval<P::F>) {
+        let packet = &mut self.tile.packets[number];
+        keep(self.p, packet, hit, t, self.index);
+        if self.events.touched != 0 {
+            let events = (&mut self.events, &mut self.tile.events);
+            collect(packet, number as u16, self.index, events);
+        }
+    }
+
+    /// The brackets of the rays that stay in the box while they are in the piece that holds their only root.
+    #[inline(always)]
+    fn brackets(
+        &self,
+        number: usize,
+        single: &Single,
+        over: &Interval<P::F>,
+        live: P::M,
+    ) -> Brackets<P> {
+        let p = self.p;
+        let entry = p.lanes(self.tile.packets[number].record.entry);
+        let t = Interval {
+            lo: p.sub_rd(p.splat(single.t[0]), entry),
+            hi: p.sub_ru(p.splat(single.t[1]), entry),
+        };
+        let inside = p.and(p.le(over.lo, t.lo), p.le(t.hi, over.hi));
+        let slope = Interval {
+            lo: p.splat(single.slope[0]),
+            hi: p.splat(single.slope[1]),
+        };
+        let rising = p.lt(p.splat(0.0), slope.lo);
+        let mut known = Brackets::none(p);
+        known.put(p, p.and(live, inside), &t, &slope, rising, t.hi);
+        let corner = self.tile.corner_of(number);
+        let start = p.sub_rn(self.view.linear(p, corner, &single.plane), entry);
+        known.guess = p.min_f(p.max_f(start, known.t.lo), known.t.hi);
+        known
+    }
+
+    /// The roots of a packet's rays over a piece.
+    #[inline(always)]
+    fn roots(
+        &mut self,
+        number: usize,
+        active: &Active,
+        piece: Piece<P>,
+        spent: &mut P::F,
+    ) -> Roots<P> {
+        let p = self.p;
+        let Piece {
+            mut over,
+            live,
+            known,
+            first,
+        } = piece;
+        over.lo = p.select(live, over.lo, p.splat(0.0));
+        over.hi = p.select(live, over.hi, p.splat(0.0));
+        let end = p.select(live, over.hi, p.splat(-1.0));
+        let packet = &self.tile.packets[number];
+        let entry = p.lanes(packet.record.entry);
+        let rays = Rays::recentred(p, &packet.lines, entry, end);
+        self.tile.counts.note(active);
+        p.call(Bind::<S, P> {
+            prepared: self.prepared,
+            rays: &rays,
+            active,
+            bound: &mut self.bound,
+        });
+        // A closed form needs no bracket.
+        let closed = self.settings.closed_forms && S::quadric(&self.bound).is_some();
+        let known = known.filter(|_| !closed);
+        let single = known.as_ref().map_or(p.none(), |known| known.found);
+        self.tile.counts.single += u64::from(p.bits(single).count_ones());
+        let mut surface = OnRays {
+            entries: Entries::<S, P> {
+                prepared: self.prepared,
+                bound: &self.bound,
+                rays: &rays,
+            },
+            counts: &mut self.tile.counts,
+            spent: *spent,
+        };
+        let job = FirstRoots::<S, P> {
+            surface: &mut surface,
+            settings: self.settings,
+            lines: &packet.lines,
+            entry,
+            over: &over,
+            live: p.and_not(live, single),
+            first: p.splat(first),
+            known: known.as_ref(),
+            first_only: true,
+            twice: self.settings.narrowing.twice(true),
+            events: &mut self.events,
+            cuts: None,
+            solver: C::solver(),
+        };
+        let roots = job.find(p);
+        *spent = surface.spent;
+        roots
+    }
+}
+
+/// Where rays of a packet are searched.
+struct Piece<P: Packet> {
+    over: Interval<P::F>,
+    live: P::M,
+    /// Those with one root.
+    known: Option<Brackets<P>>,
+    /// How long the first steps are.
+    first: f64,
+}
+
+/// All of a ray.
+const ANYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// How rays are searched; parameters count from the camera.
+struct Look<'a> {
+    /// The rows of tables that matter, …
+    active: &'a Active,
+    /// … namely up to here.
+    reach: f64,
+    /// Elsewhere boxes tell that there is no root.
+    within: [f64; 2],
+}
+
+impl Look<'_> {
+    /// Is all of each ray searched that is of interest?
+    fn is_whole(&self) -> bool {
+        self.reach == f64::INFINITY && self.within == ANYWHERE
+    }
+}
+
+/// Rays that are still to be searched, from where, and the evaluations that they took so far.
+struct Left<P: Packet> {
+    lanes: P::M,
+    from: P::F,
+    spent: P::F,
+}
