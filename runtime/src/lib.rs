@@ -60,6 +60,7 @@ pub mod shade;
 pub mod solid;
 pub mod solve;
 pub mod space;
+mod span;
 pub mod surface;
 mod trace;
 #[cfg(feature = "limit")]

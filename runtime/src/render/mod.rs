@@ -21,8 +21,8 @@ use crate::beam::{Findings, Frame, Hint, Request, Rows, Space};
 use crate::camera::{Camera, Ray};
 use crate::interval::{Isa, IsaError};
 use crate::scene::{Label, Prepared, Scene, SceneError, Search, TileJob, hull};
-use crate::solid::Span8;
 use crate::space::{Octree, Outline, Tree};
+use crate::span::Span8;
 pub use crate::trace::Trail;
 use crate::trace::{Leaves, WithBeams};
 use crate::verdict::{Answer, Verdict};
@@ -354,15 +354,10 @@ impl<'a> Job<'a> {
         live: u8,
     ) -> Findings {
         let mut findings = Findings::default();
-        let mut spans = Span8::ALL;
-        let mut open = live;
-        if let Some(outline) = job.outline {
-            for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
-                let [lo, hi] = outline.over(tile_of(corner, k), TILE);
-                (spans.lo[k], spans.hi[k]) = (lo, hi);
-                open &= !(u8::from(hi < lo) << k);
-            }
-        }
+        let spans = job
+            .outline
+            .map_or(Span8::ALL, |outline| outline.spans(corner, &GRID_OF_TILES));
+        let open = live & spans.live();
         match job.beams {
             _ if open == 0 => findings.close(),
             Some(beams) => {

@@ -6,9 +6,9 @@ use crate::beam::{Grid, Rows};
 use crate::camera::{COLUMNS, Camera, ROWS, Sampling, plane};
 use crate::interval::Packet;
 use crate::ray::{Lines, clip};
-use crate::solid::Span8;
 use crate::solve::Evaluations;
 use crate::space::Outline;
+use crate::span::Span8;
 use crate::verdict::Verdict;
 
 /// Packets are blocks of 4×2 pixels: neighbours need the same steps.
@@ -241,21 +241,14 @@ impl Tile {
 
     /// The cells in which an octree has boxes; all if there is none.
     pub fn boxed(&self, outline: Option<&Outline>) -> u8 {
-        let spans = self.spans(outline);
-        let cells = (0..CELLS).filter(|k| spans.lo[*k] <= spans.hi[*k]);
-        cells.fold(0, |cells, k| cells | 1 << k)
+        self.spans(outline).live()
     }
 
     /// Where an octree's boxes are in each cell, in t; everywhere if there is none.
     pub fn spans(&self, outline: Option<&Outline>) -> Span8 {
-        let mut spans = Span8::ALL;
-        if let Some(outline) = outline {
-            for cell in 0..CELLS {
-                let [lo, hi] = outline.over(self.corner_of(cell * PACKETS_OF_CELL), CELL);
-                (spans.lo[cell], spans.hi[cell]) = (lo, hi);
-            }
-        }
-        spans
+        outline.map_or(Span8::ALL, |outline| {
+            outline.spans(self.corner, &Self::GRID_OF_CELLS)
+        })
     }
 
     /// The pixels of the picture in a cell.

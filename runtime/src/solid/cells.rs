@@ -1,7 +1,6 @@
 //! The cells of a tile that may show something, as beams through them and through their packets tell.
 
 use super::over::side;
-use super::span::Span8;
 use super::tile::{Known, Look};
 use super::trace::{Enter, PreparedSolid, Segments, show};
 use super::tree::Node;
@@ -9,6 +8,7 @@ use crate::beam::{Findings, Grid, Hint, Request, Rows};
 use crate::interval::{Interval, Lanes, Scalar};
 use crate::render::tile::{PACKETS_OF_CELL, Tile};
 use crate::scene::{Prepared, TileJob};
+use crate::span::Span8;
 use crate::surface::Active;
 use crate::trace::{Lone, WithBeams};
 

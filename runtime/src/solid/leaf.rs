@@ -5,13 +5,14 @@ use core::marker::PhantomData;
 
 use glam::DAffine3;
 
+use super::Side;
 use super::placed::{Placed, Ready};
-use super::{Side, Span8};
 use crate::beam::Frame;
 use crate::interval::{Interval, Isa};
 use crate::render::tile::{PacketRays, Tile};
 use crate::scene::TileJob;
 use crate::solve::{Evaluations, Settings};
+use crate::span::Span8;
 use crate::surface::{ParameterError, Surface};
 use crate::trace::{
     AssembleOperand, Beam, Lone, NormalsOfTile, OnPicture, SideOfBoxes, Survey, TraceLone, Trails,

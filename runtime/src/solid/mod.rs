@@ -43,14 +43,12 @@ mod cells;
 mod leaf;
 mod over;
 mod placed;
-mod span;
 mod sweep;
 mod tile;
 mod trace;
 mod tree;
 mod volume;
 
-pub(crate) use span::Span8;
 pub(crate) use tree::Side;
 pub use volume::Volume;
 

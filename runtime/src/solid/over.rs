@@ -2,12 +2,12 @@
 
 use core::any::Any;
 
-use super::span::Span8;
 use super::trace::PreparedSolid;
 use super::tree::{Node, Side};
 use crate::beam::{Bundle, Findings, Hint, Request, Scout, Shift, Slab, Thin, Towards};
 use crate::interval::{Flags, Interval, Jet, Kernel, Packet, Routine, Truth, Undecided};
 use crate::solve::Enclosed;
+use crate::span::Span8;
 use crate::surface::{Active, Choice, Terms};
 use crate::trace::{OnPicture, Operand};
 

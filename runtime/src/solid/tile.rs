@@ -3,13 +3,13 @@
 use std::borrow::Cow;
 
 use super::over::side;
-use super::span::Span8;
 use super::sweep::{Operand, Sweep};
 use super::trace::PreparedSolid;
 use super::tree::{Node, Side};
 use crate::interval::{Interval, Isa};
 use crate::render::tile::PacketRays;
 use crate::solve::{Evaluations, Settings};
+use crate::span::Span8;
 use crate::surface::Choice;
 use crate::trace::{Beam, Trails, eighth};
 

@@ -6,7 +6,6 @@ use std::ops::Range;
 use super::cells::Cells;
 use super::leaf::PreparedLeaf;
 use super::over::{OnPictures, SurveySolid};
-use super::span::Span8;
 use super::sweep::Face;
 use super::tile::{Explorer, Known, Look};
 use super::tree::Node;
@@ -19,6 +18,7 @@ use crate::render::tile::{CELLS, Event, PACKETS_OF_CELL, PacketRays, Tile, View}
 use crate::scene::{Label, Prepared, Search, TileJob, Trace};
 use crate::solve::Settings;
 use crate::space::{Boxes, Division, eight};
+use crate::span::Span8;
 use crate::surface::{Active, ParameterError};
 use crate::trace::{BeamOf, Leaves, Trail, WithBeams, segment};
 use crate::verdict::Verdict;

@@ -2,9 +2,10 @@
 
 use super::projection::{Grid, Projection};
 use super::tree::{Parts, Tree};
-use crate::beam::Frame;
+use crate::beam::{self, Frame};
 use crate::interval::{Isa, Kernel, Packet};
 use crate::render::tile::CELL;
+use crate::span::Span8;
 
 /// A picture has at most so many squares; on larger ones they hold several cells.
 const SQUARES: u64 = 1 << 18;
@@ -50,8 +51,20 @@ impl Outline {
         outline
     }
 
+    /// First and last t of the boxes behind each part of a grid that begins at this pixel.
+    pub fn spans(&self, corner: [u32; 2], grid: &beam::Grid) -> Span8 {
+        let mut spans = Span8::EMPTY;
+        for k in 0..8 {
+            let place = [k % grid.columns, k / grid.columns];
+            let corner = [0, 1].map(|axis| corner[axis] + place[axis] * grid.part[axis]);
+            let [lo, hi] = self.over(corner, grid.part);
+            (spans.lo[k as usize], spans.hi[k as usize]) = (lo, hi);
+        }
+        spans
+    }
+
     /// First and last t of the boxes behind a rectangle of pixels.
-    pub fn over(&self, corner: [u32; 2], size: [u32; 2]) -> [f64; 2] {
+    fn over(&self, corner: [u32; 2], size: [u32; 2]) -> [f64; 2] {
         let [first, last] = [corner, [corner[0] + size[0] - 1, corner[1] + size[1] - 1]];
         let last = [
             (last[0] / self.side).min(self.columns - 1),

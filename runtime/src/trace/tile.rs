@@ -9,8 +9,8 @@ use crate::contract::Contractor;
 use crate::interval::{Kernel, Packet};
 use crate::render::tile::{CELLS, PACKETS_OF_CELL, Tile};
 use crate::scene::TileJob;
-use crate::solid::Span8;
 use crate::space::Outline;
+use crate::span::Span8;
 use crate::surface::Surface;
 
 /// Traces one surface through a tile, and keeps what is nearer than what the tile holds.
@@ -62,8 +62,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         let (mut cells, mut packets) = (Findings::default(), Findings::default());
         let spans = self.tile.spans(outline);
         let all = self.tile.cells();
-        let open = (0..CELLS).filter(|k| spans.lo[*k] <= spans.hi[*k]);
-        let open = all & open.fold(0, |open, k| open | 1 << k);
+        let open = all & spans.live();
         match &mut surface {
             _ if open == 0 => cells.close(),
             Some(surface) => {

@@ -6,8 +6,9 @@ use super::{Bind, Entries, FirstRoots, OnRays};
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::Rays;
 use crate::render::tile::PacketRays;
-use crate::solid::{Side, Span8};
+use crate::solid::Side;
 use crate::solve::{Evaluations, Events, Field, Settings, Solver};
+use crate::span::Span8;
 use crate::surface::{Continuity, Surface};
 use crate::verdict::{Verdict, Why};
 

@@ -6,8 +6,8 @@ mod single;
 
 use super::{Frame, Grid, Group, Hint, Rows, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
-use crate::solid::Span8;
 use crate::solve::{Enclosed, select};
+use crate::span::Span8;
 use crate::surface::Active;
 use march::Surveyor;
 

@@ -10,8 +10,8 @@ use crate::render::Rendering;
 use crate::render::tile::{
     BLOCK, CELLS, GRID_OF_TILES, PACKETS_OF_CELL, TILE, TILES_OF_BLOCK, Tile, View, blocks,
 };
-use crate::solid::Span8;
 use crate::solve::{Along, differentiable, excluded, nonzero};
+use crate::span::Span8;
 use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
 

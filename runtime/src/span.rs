@@ -29,8 +29,14 @@ impl Span8 {
         }
     }
 
+    /// Those that are not empty.
+    pub fn live(&self) -> u8 {
+        let live = (0..8).filter(|k| self.lo[*k] <= self.hi[*k]);
+        live.fold(0, |live, k| live | 1 << k)
+    }
+
     pub fn is_empty(&self) -> bool {
-        (0..8).all(|k| self.hi[k] < self.lo[k])
+        self.live() == 0
     }
 
     /// What both have.
