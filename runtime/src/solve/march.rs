@@ -82,6 +82,14 @@ const PATIENCE: f64 = 0.5;
 /// Behind what was jumped over, or settled where the march was stuck, a segment is so much longer.
 const GROWTH: f64 = 8.0;
 
+/// Splits in a row, more or less: a sign of a crawl long before segments are short.
+struct Splits<P: Packet> {
+    /// How often segments were split, less how often they were passed.
+    count: P::F,
+    /// How often they must have been for a jump.
+    many: P::F,
+}
+
 /// So many splits more than segments that were passed are as good as short segments.
 const SPLITS: f64 = 3.0;
 
@@ -115,9 +123,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
     // How often the march was stuck since it got on, and how often it must have been for a jump.
     let mut idle = zero;
     let mut enough = p.splat(2.0);
-    // How often segments were split, less how often they were passed; and how often they must have been for a jump.
-    let mut splits = zero;
-    let mut many = p.splat(SPLITS);
+    let mut splits = Splits::new(p);
     let mut live = range.live;
     let mut found = Brackets::none(p);
     let mut memory = C::memory(p);
@@ -182,16 +188,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
         let tired = pace.tired(p, short, length, at.front, *field.spent);
         let mut tired = p.and(tired, p.and(live, split));
         let crawls = p.and_not(p.and(live, split), stuck);
-        let counted = p.add_rn(splits, p.select(split, p.splat(1.0), p.splat(-1.0)));
-        splits = p.max_f(counted, zero);
-        // Neighbours jump together, and take along who is nearly as far.
-        let mut split_often = p.and(crawls, p.le(many, splits));
-        if 2 * p.bits(split_often).count_ones() >= p.bits(live).count_ones() {
-            let nearly = p.le(p.sub_rn(many, p.splat(1.0)), splits);
-            split_often = p.and(crawls, nearly);
-        } else {
-            split_often = p.none();
-        }
+        let split_often = splits.often(p, split, crawls, live);
         let sure = p.or(p.and(crawls, p.le(length, crawling)), again);
         let slow = p.or(split_often, sure);
         if C::ORDER >= 2 && p.any(slow) {
@@ -209,8 +206,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
             tired = p.and_not(tired, jump.jumped);
             let shorter = p.mul_rn(length, p.splat(1.0 / 64.0));
             crawling = p.select(slow, p.select(jump.jumped, short, shorter), crawling);
-            splits = p.select(slow, zero, splits);
-            many = p.select(p.and_not(slow, jump.jumped), p.add_rn(many, many), many);
+            splits.tried(p, slow, jump.jumped);
             idle = p.select(jump.jumped, zero, idle);
             let rarer = p.select(jump.jumped, p.splat(2.0), p.add_rn(enough, enough));
             enough = p.select(again, rarer, enough);
@@ -240,6 +236,37 @@ pub(super) fn march<C: Contractor, P: Packet>(
         }
     }
     found
+}
+
+impl<P: Packet> Splits<P> {
+    #[inline(always)]
+    fn new(p: P) -> Self {
+        Splits {
+            count: p.splat(0.0),
+            many: p.splat(SPLITS),
+        }
+    }
+
+    /// Counts a step. Which of the lanes that crawl may jump? Neighbours do together, and take along who is nearly as far.
+    #[inline(always)]
+    fn often(&mut self, p: P, split: P::M, crawls: P::M, live: P::M) -> P::M {
+        let one = p.splat(1.0);
+        let step = p.select(split, one, p.neg_f(one));
+        self.count = p.max_f(p.add_rn(self.count, step), p.splat(0.0));
+        let enough = p.and(crawls, p.le(self.many, self.count));
+        if 2 * p.bits(enough).count_ones() < p.bits(live).count_ones() {
+            return p.none();
+        }
+        p.and(crawls, p.le(p.sub_rn(self.many, one), self.count))
+    }
+
+    /// Those that tried begin again; it takes twice as many where they did not jump.
+    #[inline(always)]
+    fn tried(&mut self, p: P, tried: P::M, jumped: P::M) {
+        self.count = p.select(tried, p.splat(0.0), self.count);
+        let twice = p.add_rn(self.many, self.many);
+        self.many = p.select(p.and_not(tried, jumped), twice, self.many);
+    }
 }
 
 impl<P: Packet> Pace<P> {

@@ -26,6 +26,34 @@ fn every_case_gets_its_verdict_within_the_budget() {
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
 }
 
+/// What a jump over a turn, or a cubic through two places, saves is not lost unnoticed.
+#[test]
+fn few_evaluations_suffice() {
+    let most = [
+        ("tangent", 30),
+        ("a miss by less than an ulp", 30),
+        ("through a node", 30),
+        ("a doubled sphere", 60),
+    ];
+    let (mut seen, mut floats) = (0, 0);
+    for case in cases() {
+        for isa in Isa::available() {
+            let spent = case.run(isa).evaluations;
+            if let Some((what, most)) = most.iter().find(|(what, _)| *what == case.what) {
+                seen += 1;
+                assert!(spent.total() <= *most, "{what} on {isa}: {spent:?}");
+            }
+            if case.what.starts_with("two sheets") {
+                floats += 1;
+                // Four roots.
+                assert!(spent.float <= 12, "{} on {isa}: {spent:?}", case.what);
+            }
+        }
+    }
+    let paths = Isa::available().len();
+    assert_eq!((seen, floats), (most.len() * paths, paths));
+}
+
 /// Whatever the budget: it is kept, and what was not searched is open to the end of the ray.
 #[test]
 fn budgets_are_kept() {

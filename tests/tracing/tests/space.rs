@@ -426,6 +426,39 @@ fn surfaces_apart_are_not_evaluated() {
     }
 }
 
+// Each ray that meets the ball touches it twice, so that it is searched as a whole; the sum has no root, but would have two behind
+// the ball without its second row, which is lost beside the first at the ball.
+implicit! {
+    #[domain(x in -0.5..0.5, y in -0.5..0.5, z in -2..1.5)]
+    struct Behind { rows: [[f64; 3]] }
+    let sum = sum([cz, s, w] in rows) { w*exp(-s*(x^2 + y^2 + (z - cz)^2)) };
+    (x^2 + y^2 + (z - 1)^2 - 0.09)^2*(0.75 - sum) = 0
+}
+
+/// Beams leave out rows as far as boxes reach. What is behind is not theirs to tell.
+#[test]
+fn rows_are_left_out_only_where_boxes_are() {
+    let rows = vec![[-1.0, 0.4, 0.8], [-1.0, 12.0, -0.3]];
+    let scene = divided(Scene::new().with(Behind { rows }), 7);
+    let camera =
+        Camera::orthographic(DVec3::new(0.0, 0.0, 3.0), DVec3::ZERO, DVec3::Y, 0.5).unwrap();
+    let mut options = Options::new(SIZE[0], SIZE[1]);
+    let picture = render(&scene, &camera, &options).unwrap();
+    let evaluations = &picture.statistics().evaluations;
+    assert!(evaluations.trimmed > 100, "{evaluations:?}");
+    options.settings.space = false;
+    let without = render(&scene, &camera, &options).unwrap();
+    let mut touched = 0;
+    for (x, y) in (0..SIZE[0]).flat_map(|x| (0..SIZE[1]).map(move |y| (x, y))) {
+        for answer in [picture.answer(x, y), without.answer(x, y)] {
+            assert_eq!(answer.behind, None, "({x}, {y}): {answer:?}");
+            assert!(!answer.first.is_certain_hit(), "({x}, {y}): {answer:?}");
+            touched += usize::from(answer.first != Verdict::Miss);
+        }
+    }
+    assert!(touched > 1_000, "{touched}");
+}
+
 #[test]
 fn what_is_added_drops_the_boxes() {
     let scene = divided(Scene::new().with(Left), 2);
