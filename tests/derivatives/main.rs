@@ -11,27 +11,14 @@ mod arb;
 mod borders;
 #[path = "../support/python.rs"]
 mod python;
+#[path = "../support/random.rs"]
+mod random;
 mod surfaces;
 
 use zeroset::interval::Interval;
 
+use random::Random;
 use surfaces::{Circular, Hyperbolic, Sample, Wrapped, each, point};
-
-/// Numbers in [−1, 1) from a fixed seed.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-    fn point(&mut self, size: f64) -> [f64; 3] {
-        std::array::from_fn(|_| size * self.next())
-    }
-}
 
 fn meet(a: Interval, b: Interval) -> bool {
     a.lo <= b.hi && b.lo <= a.hi

@@ -3,8 +3,9 @@
 
 use crate::compare::HALF;
 use crate::pairs::pairs;
+use crate::random::Random;
 use zeroset::camera::Sampling;
-use zeroset::glam::{DVec3, dvec3};
+use zeroset::glam::DVec3;
 use zeroset::interval::Isa;
 use zeroset::render::{Area, all_roots};
 use zeroset::verdict::Verdict;
@@ -14,26 +15,10 @@ use zeroset::{Camera, Options, Scene, render};
 const FINE: u32 = 24;
 const CELLS: usize = 60;
 
-/// Numbers between −1 and 1, always the same.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-    fn vector(&mut self) -> DVec3 {
-        dvec3(self.next(), self.next(), self.next())
-    }
-}
-
 /// A narrow view of some place from some side: what is a cell in a picture of some size.
 fn cell(random: &mut Random) -> Camera {
-    let from = 5.0 * HALF * (random.vector() + 1e-3).normalize();
-    let at = 0.8 * HALF * random.vector();
+    let from = 5.0 * HALF * (DVec3::from(random.point(1.0)) + 1e-3).normalize();
+    let at = 0.8 * HALF * DVec3::from(random.point(1.0));
     let size = (2.0 * random.next() - 3.5).exp2();
     let view = if random.next() < 0.0 {
         Camera::orthographic(from, at, DVec3::Z, size)

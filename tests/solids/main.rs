@@ -8,6 +8,8 @@ mod areas;
 mod budget;
 mod compare;
 mod pairs;
+#[path = "../support/random.rs"]
+mod random;
 mod rays;
 mod volumes;
 

@@ -43,10 +43,10 @@ fn few_evaluations_suffice() {
                 seen += 1;
                 assert!(spent.total() <= *most, "{what} on {isa}: {spent:?}");
             }
-            if case.what.starts_with("two sheets") {
+            if case.what.starts_with("a shell") {
                 floats += 1;
-                // Four roots.
-                assert!(spent.float <= 12, "{} on {isa}: {spent:?}", case.what);
+                // For four roots; 12 without the step to a bracket's end, 31 without the cubic.
+                assert!(spent.float <= 10, "{} on {isa}: {spent:?}", case.what);
             }
         }
     }
