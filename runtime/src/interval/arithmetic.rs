@@ -118,6 +118,8 @@ pub trait Arithmetic: Copy {
     fn sin(self, a: Self::Value) -> Self::Value;
     /// cos a
     fn cos(self, a: Self::Value) -> Self::Value;
+    /// sin a and cos a: what both need is computed once.
+    fn sin_cos(self, a: Self::Value) -> [Self::Value; 2];
     /// tan a, off its poles.
     fn tan(self, a: Self::Value) -> (Self::Value, Flags<Self::Packet>);
     /// arcsin a on [−1, 1].

@@ -178,6 +178,12 @@ pub trait Enclose: Lanes {
         functions::circular::cos(self, a)
     }
 
+    /// sin a and cos a
+    #[inline(always)]
+    fn i_sin_cos(self, a: Interval<Self::F>) -> [Interval<Self::F>; 2] {
+        functions::circular::sin_cos(self, a)
+    }
+
     /// arctan a
     #[inline(always)]
     fn i_atan(self, a: Interval<Self::F>) -> Interval<Self::F> {

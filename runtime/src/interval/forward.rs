@@ -53,6 +53,13 @@ impl<P: Enclose> Arithmetic for P {
         }
         operation!(<P: Enclose> self, (a: Bounds<P> = &a) -> Bounds<P> = p => p.i_cos(a))
     }
+    #[inline(always)]
+    fn sin_cos(self, a: Interval<P::F>) -> [Interval<P::F>; 2] {
+        if P::INLINES_LONG {
+            return self.i_sin_cos(a);
+        }
+        operation!(<P: Enclose> self, (a: Bounds<P> = &a) -> [Bounds<P>; 2] = p => p.i_sin_cos(a))
+    }
 
     operations! {
         <P: Enclose> self => self;

@@ -93,6 +93,7 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         ln(a: P::F) -> (P::F, Flags<P>) = p => (functions::ln::anywhere(p, a), Flags::none(p));
         sin(a: P::F) -> P::F = p => functions::circular::anywhere(p, a, 0.0);
         cos(a: P::F) -> P::F = p => functions::circular::anywhere(p, a, 1.0);
+        sin_cos(a: P::F) -> [P::F; 2] = p => functions::circular::both_anywhere(p, a);
         tan(a: P::F) -> (P::F, Flags<P>) = p => (functions::tangent::near(p, a), Flags::none(p));
         asin(a: P::F) -> (P::F, Flags<P>) = p =>
             (functions::arcsine::near_sine(p, a), Flags::none(p));

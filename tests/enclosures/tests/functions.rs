@@ -1,6 +1,6 @@
 //! Elementary functions on every back-end against brackets by arb.
 
-use zeroset::interval::{Interval, UNPROVED};
+use zeroset::interval::{Arithmetic, Interval, Isa, Kernel, Packet, UNPROVED};
 use zeroset_enclosures::backend::{Backend, Operands, Outcome};
 use zeroset_enclosures::fixture::{Bracket, brackets};
 use zeroset_enclosures::operand::Source;
@@ -176,6 +176,93 @@ fn segments_are_enclosed() {
                     );
                 }
             }
+        }
+    }
+}
+
+/// Segments of a few units in the last place to 2⁻⁴¹ of x, on either side of x, whose ranges miss the value there.
+fn misses_at_ends(backend: Backend, name: &str) -> Vec<String> {
+    let brackets = brackets(name);
+    let mut wanted = Vec::new();
+    for (i, bracket) in brackets.iter().enumerate() {
+        let x = bracket.at[0];
+        let length = x.abs() * (-41.0 - (i % 11) as f64).exp2();
+        for a in [[x - length, x], [x, x + length]] {
+            let a = Interval { lo: a[0], hi: a[1] };
+            if a.lo.is_finite() && a.hi.is_finite() {
+                let operands = Operands {
+                    a,
+                    b: Interval::ONE,
+                };
+                wanted.push((operands, bracket.value));
+            }
+        }
+    }
+    let operands: Vec<Operands> = wanted.iter().map(|(operands, _)| *operands).collect();
+    let outcomes = backend.run(operation(name), &operands);
+    let missed = wanted.iter().zip(outcomes).filter_map(|((at, value), of)| {
+        let missed = !of.range.encloses(value);
+        missed.then(|| format!("{name}{:?}: {value:?} not in {:?}", at.a, of.range))
+    });
+    missed.collect()
+}
+
+#[test]
+fn thin_segments_are_enclosed() {
+    for name in UNARY {
+        for backend in Backend::rounded() {
+            let misses = misses_at_ends(backend, name);
+            let count = misses.len();
+            assert!(count == 0, "{}: {count}, {}", backend.name(), misses[0]);
+        }
+    }
+    let wrong = || Backend::unrounded().into_iter().chain(Backend::too_tight());
+    for (name, backend) in ["sin", "cos"]
+        .into_iter()
+        .flat_map(|n| wrong().map(move |b| (n, b)))
+    {
+        let count = misses_at_ends(backend, name).len();
+        assert!(count > 0, "the control, {name} on {}", backend.name());
+    }
+}
+
+/// Both at once.
+struct SineAndCosine<'a>(&'a [[Interval; 8]]);
+
+impl Kernel for SineAndCosine<'_> {
+    /// Together, and one by one.
+    type Output = Vec<[[[f64; 8]; 4]; 2]>;
+
+    #[inline(always)]
+    fn run<P: Packet>(self, p: P) -> Self::Output {
+        let mut all = Vec::new();
+        for a in self.0 {
+            let a = p.interval(p.lanes(a.map(|a| a.lo)), p.lanes(a.map(|a| a.hi)));
+            let pairs = [p.sin_cos(a), [p.sin(a), p.cos(a)]];
+            all.push(pairs.map(|[s, c]| [s.lo, s.hi, c.lo, c.hi].map(|x| p.to_array(x))));
+        }
+        all
+    }
+}
+
+#[test]
+fn sine_and_cosine_together_are_those_one_by_one() {
+    let mut source = Source(7);
+    let mut segments = Vec::new();
+    for width in [0.0, 1e-15, 1e-13, 1e-9, 0.1, 3.0, 7.0] {
+        for size in [1e-300, 1e-8, 1.0, 30.0, 1e7, 1e300] {
+            segments.push([0; 8].map(|_| {
+                let lo = size * (2.0 * source.unit() - 1.0);
+                Interval {
+                    lo,
+                    hi: lo + width * lo.abs(),
+                }
+            }));
+        }
+    }
+    for isa in Isa::available() {
+        for [together, apart] in isa.run(SineAndCosine(&segments)) {
+            assert_eq!(together, apart, "{isa}");
         }
     }
 }

@@ -14,12 +14,14 @@ macro_rules! functions {
             #[inline(always)]
             fn run<P: Packet>(self, p: P) -> Vec<[f64; 8]> {
                 let (a, x) = (Nearest(p), p.lanes(self.0));
-                vec![$(p.to_array(a.$total(x)),)* $(p.to_array(a.$partial(x).0),)*]
+                let [sin, cos] = a.sin_cos(x).map(|x| p.to_array(x));
+                vec![$(p.to_array(a.$total(x)),)* $(p.to_array(a.$partial(x).0),)* sin, cos]
             }
         }
 
         const LIBRARY: &[(&str, fn(f64) -> f64)] = &[
             $((stringify!($total), f64::$total),)* $((stringify!($partial), f64::$partial),)*
+            ("sin_cos().0", f64::sin), ("sin_cos().1", f64::cos),
         ];
     };
 }

@@ -5,6 +5,7 @@
 //! is topological; folds over the same rows that wait for the same things share one loop.
 
 use super::choices::{Side, side};
+use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::tree::FoldKind;
 use proc_macro2::{Ident, TokenStream};
@@ -27,6 +28,15 @@ pub trait Target {
         values: &dyn Fn(Id) -> Option<Self::Value>,
         out: &mut TokenStream,
     ) -> Self::Value;
+    /// Computes a sine and the cosine of the same node together, where that is less than both one by one.
+    fn sine_and_cosine(
+        &mut self,
+        _ids: [Id; 2],
+        _values: &dyn Fn(Id) -> Option<Self::Value>,
+        _out: &mut TokenStream,
+    ) -> Option<[Self::Value; 2]> {
+        None
+    }
     /// The header of a loop, `for … in …`, and what its body starts with. `scope` holds the loop itself.
     fn enter(&mut self, fold: usize, scope: Scope) -> (TokenStream, TokenStream);
     /// Declares a fold's accumulator in front of the loop, and updates it at the end of the body.
@@ -137,6 +147,22 @@ fn able(
     run
 }
 
+/// A sine and the cosine of the same node, if one of them is `id` and the other is in the run.
+fn sine_and_cosine(graph: &Graph, id: Id, run: &[Id]) -> Option<[Id; 2]> {
+    let Op::Unary(function, a) = graph.op(id) else {
+        return None;
+    };
+    let find = |other| {
+        let other = Op::Unary(other, *a);
+        run.iter().copied().find(|id| graph.op(*id) == &other)
+    };
+    match function {
+        Function::Sin => Some([id, find(Function::Cos)?]),
+        Function::Cos => Some([find(Function::Sin)?, id]),
+        _ => None,
+    }
+}
+
 /// The folds that one loop computes: the same fold, after the same loops of this block.
 type Loops = BTreeMap<(u32, usize), Vec<Id>>;
 
@@ -157,7 +183,7 @@ impl<T: Target> Block<'_, T> {
             }
             for (guard, run) in runs(self.graph, plain) {
                 match guard {
-                    None => run.iter().for_each(|id| self.operation(*id, out)),
+                    None => run.iter().for_each(|id| self.operation(*id, &run, out)),
                     Some(guard) => self.guarded(guard, &run, &uses, out),
                 }
             }
@@ -171,7 +197,7 @@ impl<T: Target> Block<'_, T> {
     fn guarded(&mut self, guard: Side, run: &[Id], uses: &Uses, out: &mut TokenStream) {
         let (mut code, mut declared) = (TokenStream::new(), Vec::new());
         for &id in run {
-            self.operation(id, &mut code);
+            self.operation(id, run, &mut code);
             if let Some(value) = self.known.get(&id) {
                 declared.extend(self.target.declared(id, value));
             }
@@ -271,11 +297,26 @@ impl<T: Target> Block<'_, T> {
             .filter(|_| self.scope == Scope::default())
     }
 
-    fn operation(&mut self, id: Id, out: &mut TokenStream) {
+    /// Computes a node of a run.
+    fn operation(&mut self, id: Id, run: &[Id], out: &mut TokenStream) {
+        if self.known.contains_key(&id) {
+            // With its partner.
+            return;
+        }
+        if let Some(value) = self.target.given(id, out) {
+            self.known.insert(id, value);
+            return;
+        }
         let known = &*self.known;
-        let given = self.target.given(id, out);
-        let value =
-            given.unwrap_or_else(|| self.target.operation(id, &|a| known.get(&a).cloned(), out));
+        let values = |a: Id| known.get(&a).cloned();
+        if let Some(ids) = sine_and_cosine(self.graph, id, run)
+            && !ids.iter().any(|id| self.target.ready(*id))
+            && let Some(both) = self.target.sine_and_cosine(ids, &values, out)
+        {
+            self.known.extend(ids.into_iter().zip(both));
+            return;
+        }
+        let value = self.target.operation(id, &values, out);
         self.known.insert(id, value);
     }
 

@@ -128,6 +128,30 @@ impl Target for Enclosure<'_> {
         Value { name, flags }
     }
 
+    fn sine_and_cosine(
+        &mut self,
+        ids: [Id; 2],
+        values: Values,
+        out: &mut TokenStream,
+    ) -> Option<[Value; 2]> {
+        let names = ids.map(variable);
+        let Op::Unary(_, a) = self.graph.op(ids[0]) else {
+            return None;
+        };
+        let a = values(*a)?;
+        let operand = &a.name;
+        out.extend(quote!(let [#(#names),*] = a.sin_cos(#operand);));
+        for (id, name) in ids.iter().zip(&names) {
+            if self.graph.nonnegative(*id) {
+                out.extend(quote!(let #name = a.nonneg(#name);));
+            }
+        }
+        Some(names.map(|name| Value {
+            name,
+            flags: a.flags.clone(),
+        }))
+    }
+
     fn guard(&self, id: Id) -> Option<Side> {
         match self.stage {
             Stage::Segment => self.layout.choices.guard(id),

@@ -44,7 +44,7 @@ impl Ball {
     /// sin a and cos a at r = a − k·π/2, |r| ≤ 0.8, by Taylor's polynomials of degree 31 and 30: their remainders are
     /// below 0.8³³/33! and 0.8³²/32!, both less than 10⁻³⁸. Nothing for large or wide arguments.
     #[inline(never)]
-    fn sin_cos(self) -> Option<[Ball; 2]> {
+    fn reduced_sin_cos(self) -> Option<[Ball; 2]> {
         /// π/2 = 1.5707963267948966 + 6.123233995736766·10⁻¹⁷ − 1.4973849048591833·10⁻³³ + …
         const HALF_PI: Ball = Ball {
             hi: f64::from_bits(0x3ff921fb54442d18),
@@ -80,19 +80,13 @@ impl Ball {
         })
     }
 
-    /// sin a
-    pub fn sin(self) -> Ball {
-        self.sin_cos().map_or_else(
-            || Ball::from_interval(&Scalar.sin(self.interval())),
-            |[sin, _]| sin,
-        )
-    }
-
-    /// cos a
-    pub fn cos(self) -> Ball {
-        self.sin_cos().map_or_else(
-            || Ball::from_interval(&Scalar.cos(self.interval())),
-            |[_, cos]| cos,
-        )
+    /// sin a and cos a
+    pub fn sin_cos(self) -> [Ball; 2] {
+        let coarse = || {
+            Scalar
+                .sin_cos(self.interval())
+                .map(|a| Ball::from_interval(&a))
+        };
+        self.reduced_sin_cos().unwrap_or_else(coarse)
     }
 }

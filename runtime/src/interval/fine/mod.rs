@@ -173,10 +173,15 @@ impl Arithmetic for Fine {
         a.exp()
     }
     fn sin(self, a: Ball) -> Ball {
-        a.sin()
+        let [sine, _] = a.sin_cos();
+        sine
     }
     fn cos(self, a: Ball) -> Ball {
-        a.cos()
+        let [_, cosine] = a.sin_cos();
+        cosine
+    }
+    fn sin_cos(self, a: Ball) -> [Ball; 2] {
+        a.sin_cos()
     }
     fn pow(self, a: Ball, b: Ball) -> (Ball, Flags<Scalar>) {
         coarse_partial(a, |a| Scalar.pow(a, b.interval()))

@@ -1,4 +1,4 @@
-//! sin and cos on packets: a reduction by π/2, two polynomials, proved; extrema counted exactly.
+//! sin and cos on packets, together where both are asked for: a reduction by π/2, two polynomials, proved; extrema counted exactly.
 //!
 //! With k = ⌊x·2/π⌉, x = k·π/2 + (r + ρ), |r| ≤ 0.7855, |ρ| ≤ 0.52·ulp(r) (see [`reduce`]). In doubles,
 //!
@@ -18,8 +18,7 @@
 //! So the neighbours of v (the second neighbours without fused operations) enclose a point. The proofs are for r ≥ 0; a
 //! negative r gives the same numbers, for roundings to nearest are symmetric. Signs and the swap of sin and cos are exact.
 //!
-//! Over an interval the bounds are those at its ends, or ±1 where there is an extremum between: [`Reduced::turns`] counts
-//! them.
+//! Over an interval the bounds are those at its ends, or ±1 where there is an extremum between: [`extrema`].
 
 use super::super::lanes::WHOLE;
 use super::super::{Interval, Lanes, Routine};
@@ -49,96 +48,211 @@ const C: [u64; 6] = [
 /// sin a
 #[inline(always)]
 pub fn sin<P: Lanes>(p: P, a: Interval<P::F>) -> Interval<P::F> {
-    wave(p, a, 0.0)
+    let [sine] = waves(p, &a, [0.0]);
+    sine
 }
 
 /// cos a = sin(a + π/2)
 #[inline(always)]
 pub fn cos<P: Lanes>(p: P, a: Interval<P::F>) -> Interval<P::F> {
-    wave(p, a, 1.0)
+    let [cosine] = waves(p, &a, [1.0]);
+    cosine
 }
 
-/// The sine of a + `quarters`·π/2.
+/// sin a and cos a
 #[inline(always)]
-fn wave<P: Lanes>(p: P, a: Interval<P::F>, quarters: f64) -> Interval<P::F> {
-    let (start, start_far) = near(p, a.lo, quarters);
-    let (end, end_far) = near(p, a.hi, quarters);
-    if p.any(p.or(start_far, end_far)) {
-        return far_wave(p, &a, quarters);
-    }
-    wave_of(p, a, [start, end], quarters)
+pub fn sin_cos<P: Lanes>(p: P, a: Interval<P::F>) -> [Interval<P::F>; 2] {
+    waves(p, &a, [0.0, 1.0])
 }
 
-/// A function of its own, from the start: nothing that is at hand in [`wave`] need be kept for it.
+/// The sines of a + `quarters`·π/2.
+#[inline(always)]
+fn waves<P: Lanes, const N: usize>(
+    p: P,
+    a: &Interval<P::F>,
+    quarters: [f64; N],
+) -> [Interval<P::F>; N] {
+    let (middle, radius, thin) = thin(p, a);
+    if thin {
+        let (middle, far) = near(p, middle);
+        if !p.any(far) {
+            return thin_waves(p, &middle, radius, quarters);
+        }
+    }
+    let (start, start_far) = near(p, a.lo);
+    let (end, end_far) = near(p, a.hi);
+    if p.any(p.or(start_far, end_far)) {
+        return far_waves(p, a, quarters);
+    }
+    waves_of(p, a, [start, end], quarters)
+}
+
+/// An interval of less than this part of its middle is hardly more than a point.
+const THIN: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// The middle of an interval, how far it reaches from there, and whether that is hardly anything in all lanes: so it is
+/// where points are enclosed.
+#[inline(always)]
+fn thin<P: Lanes>(p: P, a: &Interval<P::F>) -> (P::F, P::F, bool) {
+    let half = p.splat(0.5);
+    // Of a point, exactly that.
+    let middle = p.add_rn(a.lo, p.mul_rn(half, p.sub_rn(a.hi, a.lo)));
+    let mut radius = p.max_f(p.sub_ru(middle, a.lo), p.sub_ru(a.hi, middle));
+    if !P::OPTIMAL {
+        radius = p.select(p.eq(a.lo, a.hi), p.splat(0.0), radius);
+    }
+    // Not where either is not a number.
+    let thin = p.le(radius, p.mul_rn(p.abs_f(middle), p.splat(THIN)));
+    (middle, radius, !p.any(p.not(thin)))
+}
+
+/// Over middle ± radius: sin(m + δ) = sin m + δ·cos ξ, |cos ξ| ≤ |cos m| + |δ|. The computed cosine errs by less than
+/// 2⁻⁵².
+#[inline(always)]
+fn thin_waves<P: Lanes, const N: usize>(
+    p: P,
+    middle: &Reduced<P::F>,
+    radius: P::F,
+    quarters: [f64; N],
+) -> [Interval<P::F>; N] {
+    let sums = sums(p, middle);
+    let more = p.add_ru(radius, p.splat(f64::EPSILON));
+    let steps = if P::FUSED { 1 } else { 2 };
+    let mut waves = [Interval {
+        lo: radius,
+        hi: radius,
+    }; N];
+    let mut i = 0;
+    while i < N {
+        let v = sine_of(p, middle.k, sums, quarters[i]);
+        let slope = p.abs_f(sine_of(p, middle.k, sums, quarters[i] + 1.0));
+        let beside = p.mul_ru(radius, p.add_ru(slope, more));
+        let (under, over) = (under(p, v, steps), over(p, v, steps));
+        let (mut lo, mut hi) = (p.sub_rd(under, beside), p.add_ru(over, beside));
+        if !P::OPTIMAL {
+            // There a sum is widened though nothing is added.
+            let exact = p.eq(radius, p.splat(0.0));
+            (lo, hi) = (p.select(exact, under, lo), p.select(exact, over, hi));
+        }
+        waves[i] = Interval {
+            lo: p.max_f(lo, p.splat(-1.0)),
+            hi: p.min_f(hi, p.splat(1.0)),
+        };
+        i += 1;
+    }
+    waves
+}
+
+/// A function of its own, from the start: nothing that is at hand in [`waves`] need be kept for it.
 #[cold]
 #[inline(never)]
-fn far_wave<P: Lanes>(p: P, a: &Interval<P::F>, quarters: f64) -> Interval<P::F> {
+fn far_waves<P: Lanes, const N: usize>(
+    p: P,
+    a: &Interval<P::F>,
+    quarters: [f64; N],
+) -> [Interval<P::F>; N] {
     p.call(Far { a, quarters })
 }
 
-struct Far<'a, P: Lanes> {
+struct Far<'a, P: Lanes, const N: usize> {
     a: &'a Interval<P::F>,
-    quarters: f64,
+    quarters: [f64; N],
 }
 
-impl<P: Lanes> Routine<P> for Far<'_, P> {
-    type Output = Interval<P::F>;
+impl<P: Lanes, const N: usize> Routine<P> for Far<'_, P, N> {
+    type Output = [Interval<P::F>; N];
     #[inline(always)]
-    fn call(self, p: P) -> Interval<P::F> {
-        let ends = [
-            reduce(p, self.a.lo, self.quarters),
-            reduce(p, self.a.hi, self.quarters),
-        ];
-        wave_of(p, *self.a, ends, self.quarters)
+    fn call(self, p: P) -> [Interval<P::F>; N] {
+        let ends = [reduce(p, self.a.lo), reduce(p, self.a.hi)];
+        waves_of(p, self.a, ends, self.quarters)
     }
 }
 
-/// The sine of a + `quarters`·π/2, whose ends are reduced.
+/// The sines of a + `quarters`·π/2, whose ends are reduced.
 #[inline(always)]
-fn wave_of<P: Lanes>(
+fn waves_of<P: Lanes, const N: usize>(
     p: P,
-    a: Interval<P::F>,
+    a: &Interval<P::F>,
     [start, end]: [Reduced<P::F>; 2],
-    quarters: f64,
-) -> Interval<P::F> {
-    let (first, last) = (
-        p.add_rn(start.turns, p.splat(WHOLE)),
-        p.add_rn(end.turns, p.splat(WHOLE)),
-    );
-    // How many extrema lie between, modulo 4: never more than 2 unless the segment is about a period wide or wider.
-    let odd = p.bit::<0>(last);
-    let count = p.add_rn(p.sub_rn(last, first), p.splat(WHOLE));
+    quarters: [f64; N],
+) -> [Interval<P::F>; N] {
+    let (first, last) = (sums(p, &start), sums(p, &end));
     let wide = p.le(p.splat(6.25), p.sub_ru(a.hi, a.lo));
+    let steps = if P::FUSED { 1 } else { 2 };
+    let mut waves = [*a; N];
+    let mut i = 0;
+    while i < N {
+        let quarters = quarters[i];
+        let [minimum, maximum] = extrema(p, [&start, &end], wide, quarters);
+        let u = sine_of(p, start.k, first, quarters);
+        let v = sine_of(p, end.k, last, quarters);
+        let (one, minus) = (p.splat(1.0), p.splat(-1.0));
+        let lo = under(p, p.min_f(u, v), steps);
+        let hi = over(p, p.max_f(u, v), steps);
+        waves[i] = Interval {
+            lo: p.select(minimum, minus, p.max_f(lo, minus)),
+            hi: p.select(maximum, one, p.min_f(hi, one)),
+        };
+        i += 1;
+    }
+    waves
+}
+
+/// Where the sine of x + `quarters`·π/2 has a minimum, and where a maximum, between two reduced ends.
+#[inline(always)]
+fn extrema<P: Lanes>(
+    p: P,
+    [start, end]: [&Reduced<P::F>; 2],
+    wide: P::M,
+    quarters: f64,
+) -> [P::M; 2] {
+    let whole = p.splat(WHOLE);
+    let first = p.add_rn(start.turns(p, quarters), whole);
+    let last = p.add_rn(end.turns(p, quarters), whole);
+    // How many lie between, modulo 4: never more than 2 unless the segment is about a period wide or wider.
+    let odd = p.bit::<0>(last);
+    let count = p.add_rn(p.sub_rn(last, first), whole);
     let both = p.or(wide, p.bit::<1>(count));
     let single = p.and_not(p.bit::<0>(count), p.bit::<1>(count));
-    // The last extremum before b is a maximum if its number is odd: the first one above 0 is π/2.
-    let has_max = p.or(both, p.and(single, odd));
-    let has_min = p.or(both, p.and_not(single, odd));
-    let (u, v) = (sine_of(p, start, quarters), sine_of(p, end, quarters));
-    let (one, minus) = (p.splat(1.0), p.splat(-1.0));
-    let steps = if P::FUSED { 1 } else { 2 };
-    let lo = under(p, p.min_f(u, v), steps);
-    let hi = over(p, p.max_f(u, v), steps);
-    Interval {
-        lo: p.select(has_min, minus, p.max_f(lo, minus)),
-        hi: p.select(has_max, one, p.min_f(hi, one)),
-    }
+    // The last one before the end is a maximum if its number is odd: the first one above 0 is π/2.
+    [
+        p.or(both, p.and_not(single, odd)),
+        p.or(both, p.and(single, odd)),
+    ]
 }
 
 /// The sine of x + `quarters`·π/2 to a few units in the last place; NaN of NaN.
 #[inline(always)]
 pub fn anywhere<P: Lanes>(p: P, x: P::F, quarters: f64) -> P::F {
-    p.select(p.eq(x, x), sine_of(p, reduce(p, x, quarters), quarters), x)
+    let reduced = reduce(p, x);
+    let sine = sine_of(p, reduced.k, sums(p, &reduced), quarters);
+    p.select(p.eq(x, x), sine, x)
 }
 
-/// The sine of x + `quarters`·π/2, where x is reduced.
+/// The sine and cosine of x to a few units in the last place; NaN of NaN.
 #[inline(always)]
-fn sine_of<P: Lanes>(p: P, reduced: Reduced<P::F>, quarters: f64) -> P::F {
-    let shifted = p.add_rn(reduced.k, p.splat(WHOLE + quarters));
-    let (s, c) = quarter_wave(p, reduced);
-    let (s, c) = (p.add_rn(s.high, s.low), p.add_rn(c.high, c.low));
-    let v = p.select(p.bit::<0>(shifted), c, s);
+pub fn both_anywhere<P: Lanes>(p: P, x: P::F) -> [P::F; 2] {
+    let reduced = reduce(p, x);
+    let (sums, known) = (sums(p, &reduced), p.eq(x, x));
+    [
+        p.select(known, sine_of(p, reduced.k, sums, 0.0), x),
+        p.select(known, sine_of(p, reduced.k, sums, 1.0), x),
+    ]
+}
+
+/// The sine of x + `quarters`·π/2, from the multiple of π/2 in x, and the sine and cosine of the rest.
+#[inline(always)]
+fn sine_of<P: Lanes>(p: P, k: P::F, [sine, cosine]: [P::F; 2], quarters: f64) -> P::F {
+    let shifted = p.add_rn(k, p.splat(WHOLE + quarters));
+    let v = p.select(p.bit::<0>(shifted), cosine, sine);
     p.select(p.bit::<1>(shifted), p.neg_f(v), v)
+}
+
+/// Sine and cosine of a reduced argument.
+#[inline(always)]
+fn sums<P: Lanes>(p: P, reduced: &Reduced<P::F>) -> [P::F; 2] {
+    let (s, c) = quarter_wave(p, *reduced);
+    [p.add_rn(s.high, s.low), p.add_rn(c.high, c.low)]
 }
 
 /// sin(r + ρ) = r + (r·t + ρ·w) and cos(r + ρ) = w + d, before their last sums.

@@ -14,9 +14,18 @@ pub struct Reduced<F> {
     pub r: F,
     /// What the remainder lacks.
     pub rho: F,
-    /// Rounds to how many odd multiples of π/2 are below x + `quarters`·π/2: (x + `quarters`·π/2)/π, nearly. Modulo 4
-    /// beyond 2²⁰.
-    pub turns: F,
+}
+
+impl<F: Copy> Reduced<F> {
+    /// Rounds to how many odd multiples of π/2 are below x + `quarters`·π/2, or to one more where that is one itself; modulo
+    /// 4 beyond 2²⁰. For whole k, k/2 + ¼ rounds to ⌊(k + 1)/2⌋ and k/2 − ¼ to ⌊k/2⌋.
+    #[inline(always)]
+    pub fn turns<P: Lanes<F = F>>(&self, p: P, quarters: f64) -> F {
+        let half = 0.5 * quarters;
+        let negative = p.lt(self.r, p.splat(0.0));
+        let beside = p.select(negative, p.splat(half - 0.25), p.splat(half + 0.25));
+        p.fma_rn(self.k, p.splat(0.5), beside)
+    }
 }
 
 /// π/2 in three parts; their sum errs by less than 2⁻¹⁶³.
@@ -38,14 +47,11 @@ const SMALL: f64 = 9.313225746154785e-10;
 /// difference is exact (Sterbenz: |k·P2| < 2⁻³³), less k·P3, rounded again. |k·P3| < 2⁻⁸⁹, so these two roundings err by less
 /// than 2⁻¹⁰⁶|r| + 2⁻¹⁴², and the parts of π/2 by less than 2⁻¹⁴³. Without fused operations see [`split`]. For k = 0 all is
 /// exact, and |r| = |x|.
-///
-/// x/π errs by less than 2⁻³³, which is less than |r|/π is, so `turns` rounds to the right number; it need not where the
-/// interval around a zero of x makes an extremum of the cosine, whose bound is 1 at such an x.
 #[inline(always)]
-pub fn reduce<P: Lanes>(p: P, x: P::F, quarters: f64) -> Reduced<P::F> {
-    let (near, far) = near(p, x, quarters);
+pub fn reduce<P: Lanes>(p: P, x: P::F) -> Reduced<P::F> {
+    let (near, far) = near(p, x);
     if p.any(far) {
-        long_way(p, x, near, far, quarters)
+        long_way(p, x, near, far)
     } else {
         near
     }
@@ -53,11 +59,9 @@ pub fn reduce<P: Lanes>(p: P, x: P::F, quarters: f64) -> Reduced<P::F> {
 
 /// [`reduce`] where three parts of π/2 do, and where they do not.
 #[inline(always)]
-pub fn near<P: Lanes>(p: P, x: P::F, quarters: f64) -> (Reduced<P::F>, P::M) {
+pub fn near<P: Lanes>(p: P, x: P::F) -> (Reduced<P::F>, P::M) {
     let shift = p.splat(WHOLE);
-    let inverse = f64::from_bits(I1);
-    let k = p.sub_rn(p.fma_rn(x, p.splat(inverse), shift), shift);
-    let turns = p.fma_rn(x, p.splat(inverse / 2.0), p.splat(quarters / 2.0));
+    let k = p.sub_rn(p.fma_rn(x, p.splat(f64::from_bits(I1)), shift), shift);
     let (r, rho) = if P::FUSED {
         let r0 = p.fma_rn(k, p.splat(-f64::from_bits(P1)), x);
         let r = p.fma_rn(k, p.splat(-f64::from_bits(P2)), r0);
@@ -70,7 +74,7 @@ pub fn near<P: Lanes>(p: P, x: P::F, quarters: f64) -> (Reduced<P::F>, P::M) {
     let size = p.abs_f(x);
     let cancelled = p.lt(p.abs_f(r), p.min_f(size, p.splat(SMALL)));
     let far = p.or(cancelled, p.lt(p.splat(LIMIT), size));
-    (Reduced { k, r, rho, turns }, far)
+    (Reduced { k, r, rho }, far)
 }
 
 /// r and ρ without fused operations: k·P1 = h + l, r₀ as above; k·P2 = g + m; r₀ − g = a + b (Dekker: |r₀| > |g|). Then
@@ -91,28 +95,18 @@ fn split<P: Lanes>(p: P, x: P::F, k: P::F) -> (P::F, P::F) {
 /// Replaces the lanes in `far`, one by one, by exact integer arithmetic.
 #[cold]
 #[inline(never)]
-fn long_way<P: Lanes>(
-    p: P,
-    x: P::F,
-    near: Reduced<P::F>,
-    far: P::M,
-    quarters: f64,
-) -> Reduced<P::F> {
+fn long_way<P: Lanes>(p: P, x: P::F, near: Reduced<P::F>, far: P::M) -> Reduced<P::F> {
     let (x, bits) = (p.to_array(x), p.bits(far));
     let (mut k, mut r, mut rho) = (p.to_array(near.k), p.to_array(near.r), p.to_array(near.rho));
-    let mut turns = p.to_array(near.turns);
     for lane in 0..8 {
         if bits >> lane & 1 == 1 {
             (k[lane], r[lane], rho[lane]) = payne_hanek(x[lane]);
-            // For whole k, k/2 + ¼ rounds to ⌊(k + 1)/2⌋ and k/2 − ¼ to ⌊k/2⌋.
-            turns[lane] = (k[lane] + quarters) / 2.0 + 0.25_f64.copysign(r[lane]);
         }
     }
     Reduced {
         k: p.lanes(k),
         r: p.lanes(r),
         rho: p.lanes(rho),
-        turns: p.lanes(turns),
     }
 }
 
@@ -230,16 +224,16 @@ mod tests {
     fn the_long_way_agrees_with_the_short_one() {
         let mut x = 0.8;
         while x < LIMIT {
-            let short = reduce(Scalar, x, 0.0);
+            let short = reduce(Scalar, x);
             let (k, r, rho) = payne_hanek(x);
             assert_eq!(short.k.rem_euclid(8.0), k, "{x}");
             assert_eq!(short.r, r, "{x}");
             assert!((short.rho - rho).abs() <= 1e-30, "{x}: {} {rho}", short.rho);
-            assert_eq!(
-                short.turns.round().rem_euclid(4.0),
-                (k / 2.0 + 0.25_f64.copysign(r)).round().rem_euclid(4.0),
-                "{x}"
-            );
+            // (x + quarters·π/2)/π, to the nearest whole number.
+            for quarters in [0.0, 1.0] {
+                let turns = (x / core::f64::consts::PI + quarters / 2.0).round();
+                assert_eq!(short.turns(Scalar, quarters).round(), turns, "{x}");
+            }
             let (minus_k, minus_r, _) = payne_hanek(-x);
             assert_eq!((minus_k + k) % 8.0, 0.0, "{x}");
             assert_eq!(minus_r, -r, "{x}");

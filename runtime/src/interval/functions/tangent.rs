@@ -20,8 +20,8 @@ use super::two_fold::{Sum, fast_two_sum, quotient};
 /// every back-end.
 #[inline(always)]
 pub fn tan<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
-    let (start, start_far) = remainder::near(p, a.lo, 0.0);
-    let (end, end_far) = remainder::near(p, a.hi, 0.0);
+    let (start, start_far) = remainder::near(p, a.lo);
+    let (end, end_far) = remainder::near(p, a.hi);
     if p.any(p.or(start_far, end_far)) {
         return far_tan(p, &a);
     }
@@ -43,7 +43,7 @@ impl<P: Lanes> Routine<P> for Far<'_, P> {
     type Output = Interval<P::F>;
     #[inline(always)]
     fn call(self, p: P) -> Interval<P::F> {
-        let ends = [reduce(p, self.a.lo, 0.0), reduce(p, self.a.hi, 0.0)];
+        let ends = [reduce(p, self.a.lo), reduce(p, self.a.hi)];
         tan_of(p, *self.a, ends)
     }
 }
@@ -52,7 +52,8 @@ impl<P: Lanes> Routine<P> for Far<'_, P> {
 #[inline(always)]
 fn tan_of<P: Lanes>(p: P, a: Interval<P::F>, [start, end]: [Reduced<P::F>; 2]) -> Interval<P::F> {
     let whole = p.splat(WHOLE);
-    let poles = p.sub_rn(p.add_rn(end.turns, whole), p.add_rn(start.turns, whole));
+    let (first, last) = (start.turns(p, 0.0), end.turns(p, 0.0));
+    let poles = p.sub_rn(p.add_rn(last, whole), p.add_rn(first, whole));
     let count = p.add_rn(poles, whole);
     // The count is right modulo 4, and below 3π there are less than 4.
     let wide = p.le(p.splat(9.0), p.sub_ru(a.hi, a.lo));
@@ -69,7 +70,7 @@ fn tan_of<P: Lanes>(p: P, a: Interval<P::F>, [start, end]: [Reduced<P::F>; 2]) -
 #[inline(always)]
 pub fn near<P: Lanes>(p: P, x: P::F) -> P::F {
     let finite = p.lt(p.abs_f(x), p.splat(f64::INFINITY));
-    p.select(finite, tangent_of(p, reduce(p, x, 0.0)), p.splat(f64::NAN))
+    p.select(finite, tangent_of(p, reduce(p, x)), p.splat(f64::NAN))
 }
 
 /// The tangent of a reduced x: sin/cos, or −cos/sin in odd quadrants; 0 for 0 only.

@@ -4,14 +4,16 @@ use super::super::enclose::Enclose;
 use super::super::{Interval, Lanes, Rounding, functions};
 use super::{F, Portable, down_one, up_one};
 
+type Bounds = Interval<F>;
+
 /// Forwards interval operations to functions that are not inlined: in long formulas eight-lane loops inlined hundreds
 /// of times take minutes to compile and run no faster.
 macro_rules! not_inlined {
-    ($($name:ident($($operand:ident: $kind:ty),*) = $body:expr;)*) => {
+    ($($name:ident($($operand:ident: $kind:ty),*) -> $out:ty = $body:expr;)*) => {
         $(#[inline(always)]
-        fn $name(self, $($operand: $kind),*) -> Interval<F> {
+        fn $name(self, $($operand: $kind),*) -> $out {
             #[inline(never)]
-            fn inner<R: Rounding>(p: Portable<R>, $($operand: $kind),*) -> Interval<F> {
+            fn inner<R: Rounding>(p: Portable<R>, $($operand: $kind),*) -> $out {
                 $body(p, $($operand),*)
             }
             inner(self, $($operand),*)
@@ -21,24 +23,25 @@ macro_rules! not_inlined {
 
 impl<R: Rounding> Enclose for Portable<R> {
     not_inlined! {
-        i_add(a: Interval<F>, b: Interval<F>) = add;
-        i_sub(a: Interval<F>, b: Interval<F>) = sub;
-        i_mul(a: Interval<F>, b: Interval<F>) = mul;
-        i_powi(a: Interval<F>, n: u32) = functions::power::powi;
-        i_exp(a: Interval<F>) = functions::exp::exp;
-        i_ln(a: Interval<F>) = functions::ln::ln;
-        i_exp_m1(a: Interval<F>) = functions::hyperbolic::exp_m1;
-        i_sinh(a: Interval<F>) = functions::hyperbolic::sinh;
-        i_tanh(a: Interval<F>) = functions::hyperbolic::tanh;
-        i_sin(a: Interval<F>) = functions::circular::sin;
-        i_cos(a: Interval<F>) = functions::circular::cos;
-        i_tan(a: Interval<F>) = functions::tangent::tan;
-        i_atan(a: Interval<F>) = functions::arctangent::atan;
-        i_asin(a: Interval<F>) = functions::arcsine::asin;
-        i_acos(a: Interval<F>) = functions::arcsine::acos;
-        i_atan2(y: Interval<F>, x: Interval<F>) = functions::angle::atan2;
-        i_cbrt(a: Interval<F>) = functions::cbrt::cbrt;
-        i_hypot(a: Interval<F>, b: Interval<F>) = functions::hypot::hypot;
+        i_add(a: Bounds, b: Bounds) -> Bounds = add;
+        i_sub(a: Bounds, b: Bounds) -> Bounds = sub;
+        i_mul(a: Bounds, b: Bounds) -> Bounds = mul;
+        i_powi(a: Bounds, n: u32) -> Bounds = functions::power::powi;
+        i_exp(a: Bounds) -> Bounds = functions::exp::exp;
+        i_ln(a: Bounds) -> Bounds = functions::ln::ln;
+        i_exp_m1(a: Bounds) -> Bounds = functions::hyperbolic::exp_m1;
+        i_sinh(a: Bounds) -> Bounds = functions::hyperbolic::sinh;
+        i_tanh(a: Bounds) -> Bounds = functions::hyperbolic::tanh;
+        i_sin(a: Bounds) -> Bounds = functions::circular::sin;
+        i_cos(a: Bounds) -> Bounds = functions::circular::cos;
+        i_sin_cos(a: Bounds) -> [Bounds; 2] = functions::circular::sin_cos;
+        i_tan(a: Bounds) -> Bounds = functions::tangent::tan;
+        i_atan(a: Bounds) -> Bounds = functions::arctangent::atan;
+        i_asin(a: Bounds) -> Bounds = functions::arcsine::asin;
+        i_acos(a: Bounds) -> Bounds = functions::arcsine::acos;
+        i_atan2(y: Bounds, x: Bounds) -> Bounds = functions::angle::atan2;
+        i_cbrt(a: Bounds) -> Bounds = functions::cbrt::cbrt;
+        i_hypot(a: Bounds, b: Bounds) -> Bounds = functions::hypot::hypot;
     }
 }
 
