@@ -24,6 +24,7 @@ use super::super::lanes::WHOLE;
 use super::super::{Interval, Lanes, Routine};
 use super::neighbours::{over, under};
 use super::remainder::{Reduced, near, reduce};
+use super::thin::{self, unless_exact};
 use super::two_fold::Sum;
 
 /// s, from the constant coefficient on.
@@ -72,8 +73,10 @@ fn waves<P: Lanes, const N: usize>(
     a: &Interval<P::F>,
     quarters: [f64; N],
 ) -> [Interval<P::F>; N] {
-    let (middle, radius, thin) = thin(p, a);
-    if thin {
+    let (middle, radius) = thin::middle(p, a);
+    // Not where either is not a number.
+    let thin = p.le(radius, p.mul_rn(p.abs_f(middle), p.splat(THIN)));
+    if !p.any(p.not(thin)) {
         let (middle, far) = near(p, middle);
         if !p.any(far) {
             return thin_waves(p, &middle, radius, quarters);
@@ -90,22 +93,6 @@ fn waves<P: Lanes, const N: usize>(
 /// An interval of less than this part of its middle is hardly more than a point.
 const THIN: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// The middle of an interval, how far it reaches from there, and whether that is hardly anything in all lanes: so it is
-/// where points are enclosed.
-#[inline(always)]
-fn thin<P: Lanes>(p: P, a: &Interval<P::F>) -> (P::F, P::F, bool) {
-    let half = p.splat(0.5);
-    // Of a point, exactly that.
-    let middle = p.add_rn(a.lo, p.mul_rn(half, p.sub_rn(a.hi, a.lo)));
-    let mut radius = p.max_f(p.sub_ru(middle, a.lo), p.sub_ru(a.hi, middle));
-    if !P::OPTIMAL {
-        radius = p.select(p.eq(a.lo, a.hi), p.splat(0.0), radius);
-    }
-    // Not where either is not a number.
-    let thin = p.le(radius, p.mul_rn(p.abs_f(middle), p.splat(THIN)));
-    (middle, radius, !p.any(p.not(thin)))
-}
-
 /// Over middle ± radius: sin(m + δ) = sin m + δ·cos ξ, |cos ξ| ≤ |cos m| + |δ|. The computed cosine errs by less than
 /// 2⁻⁵².
 #[inline(always)]
@@ -117,6 +104,7 @@ fn thin_waves<P: Lanes, const N: usize>(
 ) -> [Interval<P::F>; N] {
     let sums = sums(p, middle);
     let more = p.add_ru(radius, p.splat(f64::EPSILON));
+    let exact = p.eq(radius, p.splat(0.0));
     let steps = if P::FUSED { 1 } else { 2 };
     let mut waves = [Interval {
         lo: radius,
@@ -128,12 +116,8 @@ fn thin_waves<P: Lanes, const N: usize>(
         let slope = p.abs_f(sine_of(p, middle.k, sums, quarters[i] + 1.0));
         let beside = p.mul_ru(radius, p.add_ru(slope, more));
         let (under, over) = (under(p, v, steps), over(p, v, steps));
-        let (mut lo, mut hi) = (p.sub_rd(under, beside), p.add_ru(over, beside));
-        if !P::OPTIMAL {
-            // There a sum is widened though nothing is added.
-            let exact = p.eq(radius, p.splat(0.0));
-            (lo, hi) = (p.select(exact, under, lo), p.select(exact, over, hi));
-        }
+        let lo = unless_exact(p, exact, under, p.sub_rd(under, beside));
+        let hi = unless_exact(p, exact, over, p.add_ru(over, beside));
         waves[i] = Interval {
             lo: p.max_f(lo, p.splat(-1.0)),
             hi: p.min_f(hi, p.splat(1.0)),

@@ -21,6 +21,7 @@
 use super::super::enclose::Enclose;
 use super::super::lanes::WHOLE;
 use super::super::{Interval, Lanes};
+use super::thin::{self, unless_exact};
 
 /// The coefficients of q, from the constant one on.
 const Q: [u64; 10] = [
@@ -46,16 +47,38 @@ pub const LEAST: f64 = -708.0;
 /// The greatest double below ln(MAX). Its power is 2·10⁻¹⁴ below MAX, so the result never overflows.
 pub const GREATEST: u64 = 0x40862e42fefa39ef;
 
+/// An interval that reaches no further than this from its middle is hardly more than a point.
+const THIN: f64 = 1.0 / (1u64 << 30) as f64;
+
 /// eᵃ
 #[inline(always)]
 pub fn exp<P: Enclose>(p: P, a: Interval<P::F>) -> Interval<P::F> {
     let least = p.splat(LEAST);
     let greatest = p.splat(f64::from_bits(GREATEST));
+    let (middle, radius) = thin::middle(p, &a);
+    let bounded = p.and(p.le(least, a.lo), p.le(a.hi, greatest));
+    let thin = p.and(bounded, p.le(radius, p.splat(THIN)));
+    if !p.any(p.not(thin)) {
+        return thin_exp(p, middle, radius);
+    }
     let lo = p.before(near(p, p.max_f(p.min_f(a.lo, greatest), least)));
     let hi = p.after(near(p, p.max_f(p.min_f(a.hi, greatest), least)));
     Interval {
         lo: p.select(p.lt(a.lo, least), p.splat(0.0), lo),
         hi: p.select(p.lt(greatest, a.hi), p.splat(f64::INFINITY), hi),
+    }
+}
+
+/// Over middle ± radius: 1 − |δ| ≤ e^δ ≤ 1 + |δ| + δ² for |δ| ≤ 1.
+#[inline(always)]
+fn thin_exp<P: Enclose>(p: P, middle: P::F, radius: P::F) -> Interval<P::F> {
+    let v = near(p, middle);
+    let (under, over) = (p.before(v), p.after(v));
+    let more = p.mul_ru(radius, p.splat(1.0 + 2.0 * THIN));
+    let exact = p.eq(radius, p.splat(0.0));
+    Interval {
+        lo: unless_exact(p, exact, under, p.fma_rd(p.neg_f(radius), under, under)),
+        hi: unless_exact(p, exact, over, p.fma_ru(more, over, over)),
     }
 }
 

@@ -19,6 +19,7 @@ pub(super) mod power;
 pub(super) mod real_power;
 mod remainder;
 pub(super) mod tangent;
+mod thin;
 mod two_fold;
 
 /// The functions of [`Arithmetic`](super::Arithmetic) whose enclosures are *tested, not proved*: none. One that calls a
