@@ -17,7 +17,7 @@ pub(super) struct Surveyor<'a, P: Packet> {
 
 /// The mean value form needs these.
 pub(super) struct Sides<P: Packet> {
-    by: [Interval<P::F>; 2],
+    pub by: [Interval<P::F>; 2],
     pub usable: P::M,
 }
 
@@ -52,7 +52,8 @@ impl<P: Packet> Surveyor<'_, P> {
     }
 
     /// From the front: what is excluded is passed with steps that grow, what is not is tried again at a quarter of the length,
-    /// down to the width of the beam.
+    /// down to the width of the beam. Beams that are that far wait for the others: a last look at all of them asks for
+    /// derivatives, if beams are to be excluded by all means.
     #[inline(always)]
     pub(super) fn march(&mut self) -> Found<P> {
         let p = self.p;
@@ -61,9 +62,10 @@ impl<P: Packet> Surveyor<'_, P> {
             start,
             end,
             first,
+            keenly,
             ..
         } = *self.stretch;
-        let mut open = p.none();
+        let (mut open, mut waiting) = (p.none(), p.none());
         let mut front = start;
         let shortest = p.mul_rn(self.group.width(p, front), p.splat(SHORTEST));
         let mut length = p.max_f(first, shortest);
@@ -75,25 +77,32 @@ impl<P: Packet> Surveyor<'_, P> {
                 hi: p.max_f(back, front),
             };
             let slab = self.group.slab(p, &t);
-            let f = self.value(&slab);
-            let mut none = excluded(p, &f.d[0], &f.flags, live);
-            let short = p.le(length, p.mul_rn(shortest, p.splat(4.0)));
-            let rest = p.and(p.and_not(live, none), short);
-            if p.any(rest) {
-                let sides = self.sides(slab, rest);
-                let f = self.mean(&t, &slab, &sides);
-                let certain = p.and(sides.usable, nonzero(p, &f));
-                none = p.or(none, p.and(rest, certain));
-            }
+            let going = p.and_not(live, waiting);
+            let none = if p.any(going) {
+                let f = self.value(&slab);
+                let none = excluded(p, &f.d[0], &f.flags, going);
+                let failed = p.and_not(going, none);
+                let part = p.mul_rn(length, p.splat(0.25));
+                let short = p.and(failed, p.lt(part, shortest));
+                waiting = p.or(waiting, short);
+                length = p.select(p.and_not(failed, short), part, length);
+                none
+            } else {
+                let none = if keenly {
+                    let sides = self.sides(slab, waiting);
+                    let f = self.mean(&t, &slab, &sides);
+                    p.and(sides.usable, nonzero(p, &f))
+                } else {
+                    p.none()
+                };
+                open = p.or(open, p.and_not(waiting, none));
+                live = none;
+                waiting = p.none();
+                none
+            };
             front = p.select(none, t.hi, front);
+            length = p.select(none, p.add_rn(length, length), length);
             live = p.and_not(live, p.and(none, p.le(end, front)));
-            let failed = p.and_not(live, none);
-            let part = p.mul_rn(length, p.splat(0.25));
-            let stuck = p.and(failed, p.lt(part, shortest));
-            open = p.or(open, stuck);
-            live = p.and_not(live, stuck);
-            let longer = p.select(none, p.add_rn(length, length), part);
-            length = p.select(live, longer, length);
             round += 1;
             if round == 200 {
                 open = p.or(open, live);

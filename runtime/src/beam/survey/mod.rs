@@ -164,6 +164,7 @@ impl<P: Packet> Survey<'_, '_, P> {
             end: p.max_f(p.min_f(last, reach), start),
             last,
             first: p.splat(known.length.min(0.25 * (frame.far - frame.near))),
+            keenly: grid.whole,
         };
         self.findings.apart |= live & p.bits(p.all()) & !p.bits(near.live);
         if !p.any(near.live) {
@@ -249,6 +250,9 @@ struct Stretch<P: Packet> {
     last: P::F,
     /// How long the first step is.
     first: P::F,
+    /// Are derivatives worth their price to exclude a beam? They are where that spares eight beams inside, not where it spares
+    /// eight rays.
+    keenly: bool,
 }
 
 /// What is known about eight beams.

@@ -3,6 +3,7 @@
 use super::Found;
 use super::march::{Sides, Surveyor};
 use crate::beam::{Direction, Slab};
+use crate::contract::middle;
 use crate::interval::{Interval, Packet};
 use crate::solve::{differentiable, nonzero, select};
 
@@ -36,9 +37,6 @@ impl<P: Packet> Surveyor<'_, P> {
         self.try_single(found, root, &NEAR);
         if self.surface.is_dear() {
             self.try_single(found, root, &WIDE);
-        }
-        if p.any(found.one) {
-            found.plane = self.plane(root);
         }
     }
 
@@ -89,6 +87,10 @@ impl<P: Packet> Surveyor<'_, P> {
         found.one = p.or(found.one, one);
         found.back = p.select(one, back, found.back);
         found.slope = select(p, one, &along.d[1], &found.slope);
+        let plane = self.plane(root, &along.d[1], &sides);
+        for (own, new) in found.plane.iter_mut().zip(plane) {
+            *own = p.select(one, new, *own);
+        }
     }
 
     /// f on an end face of a slab.
@@ -108,12 +110,13 @@ impl<P: Packet> Surveyor<'_, P> {
         self.mean(t, &slab, &sides)
     }
 
-    /// The tangential plane at a root of the middle ray: t there, and its change per pixel.
+    /// The tangential plane at a root of the middle ray, nearly: t there, and its change per pixel. The derivatives are those
+    /// in the middle of what they are around.
     #[inline(always)]
-    fn plane(&mut self, root: P::F) -> [P::F; 3] {
+    fn plane(&self, root: P::F, along: &Interval<P::F>, sides: &Sides<P>) -> [P::F; 3] {
         let p = self.p;
-        let [along, right, up] = [Direction::Along, Direction::Right, Direction::Up]
-            .map(|direction| self.plainly(root, direction)[1]);
+        let along = middle(p, along);
+        let [right, up] = [middle(p, &sides.by[0]), middle(p, &sides.by[1])];
         let scale = p.neg_f(p.div_rn(self.group.pixel(p, root), along));
         let [right, up] = [p.mul_rn(right, scale), p.mul_rn(up, scale)];
         let [x, y] = self.group.pixels;
