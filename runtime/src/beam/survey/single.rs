@@ -33,7 +33,7 @@ impl<P: Packet> Surveyor<'_, P> {
     pub(super) fn prove_single(&mut self, found: &mut Found<P>) {
         let p = self.p;
         let front = found.front;
-        let root = self.guess(front);
+        let root = self.guess(front, found.open);
         self.try_single(found, root, &NEAR);
         if self.surface.is_dear() {
             self.try_single(found, root, &WIDE);
@@ -134,17 +134,23 @@ impl<P: Packet> Surveyor<'_, P> {
         f.d.map(|f| p.mul_rn(half, p.add_rn(f.lo, f.hi)))
     }
 
-    /// Where the middle ray's root may be: a few Newton steps from the front, which prove nothing.
+    /// Where the middle ray's root may be: a few Newton steps from the front, which prove nothing. One that is shorter than the
+    /// beam is wide is the last.
     #[inline(always)]
-    fn guess(&mut self, front: P::F) -> P::F {
+    fn guess(&mut self, front: P::F, live: P::M) -> P::F {
         let p = self.p;
+        let width = self.group.width(p, front);
         let mut x = front;
-        for _ in 0..4 {
+        for round in 0..4 {
             let [value, slope] = self.plainly(x, Direction::Along);
             let next = p.sub_rn(x, p.div_rn(value, slope));
             // A step that leads nowhere, or is no number, is not taken.
             let fine = p.and(p.le(front, next), p.le(next, self.stretch.end));
+            let long = p.and(fine, p.lt(width, p.abs_f(p.sub_rn(next, x))));
             x = p.select(fine, next, x);
+            if round > 0 && !p.any(p.and(live, long)) {
+                break;
+            }
         }
         x
     }
