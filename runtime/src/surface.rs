@@ -179,6 +179,9 @@ pub struct Active {
     pub rest: Vec<Rest>,
     /// What is known of each choice between two sides.
     pub choices: Vec<Choice>,
+    /// Were rows or sides left out because their sign is certain? Then f has its sign and its zeros, but elsewhere not its
+    /// value: what is proved of it with other rows does not hold for it.
+    pub by_sign: bool,
 }
 
 /// What is known of a comparison.
@@ -215,6 +218,7 @@ impl Active {
             rough: lengths.to_vec(),
             rest: vec![rest; sums],
             choices: vec![Choice::Open; choices],
+            by_sign: false,
         }
     }
 
@@ -271,6 +275,7 @@ impl Clone for Active {
             rough: self.rough.clone(),
             rest: self.rest.clone(),
             choices: self.choices.clone(),
+            by_sign: self.by_sign,
         }
     }
     /// Keeps the room.
@@ -279,6 +284,7 @@ impl Clone for Active {
         self.rough.clone_from(&from.rough);
         self.rest.clone_from(&from.rest);
         self.choices.clone_from(&from.choices);
+        self.by_sign = from.by_sign;
     }
 }
 
@@ -295,10 +301,20 @@ pub struct Row {
 pub trait Terms<A: Arithmetic> {
     /// A term of the sum with this index in [`Active::rest`].
     fn term(&mut self, row: Row, sum: usize, term: A::Value, flags: Flags<A::Packet>);
-    /// A number of a row, where the least of all rows' is taken: which of such minima, and the number.
-    fn candidate(&mut self, row: Row, minimum: usize, number: A::Value, flags: Flags<A::Packet>);
+    /// A number of a row, where the least of all rows' is taken: which of such minima, the number, and whether the sign of
+    /// the least is all that matters.
+    fn candidate(
+        &mut self,
+        row: Row,
+        minimum: usize,
+        number: A::Value,
+        flags: Flags<A::Packet>,
+        by_sign: bool,
+    );
     /// Whether the first number of a choice is less than the second, and the second less than the first.
     fn choice(&mut self, choice: usize, less: [Truth<A::Packet>; 2], flags: Flags<A::Packet>);
+    /// Where the sign is all that matters: whether the first number has that of the choice, and whether the second has.
+    fn by_sign(&mut self, choice: usize, alone: [Truth<A::Packet>; 2], flags: Flags<A::Packet>);
 }
 
 impl Report {

@@ -1,7 +1,8 @@
 //! Which rows of a surface's tables matter in a beam.
 //!
 //! A row is left out where its terms are lost beside the others', or where another row's number is certainly less than its
-//! own. What the rows that are left out add is enclosed, and added wherever the list is used.
+//! own. What the rows that are left out add is enclosed, and added wherever the list is used. Where only the sign of a minimum
+//! matters, a row is left out where its number is certainly positive: of a union of a thousand balls, what is near a beam.
 
 use std::ops::Range;
 
@@ -23,8 +24,14 @@ pub(crate) struct Thin {
     choices: Vec<Decided>,
     /// For each sum, the greatest magnitude of a term in each beam, at the front.
     greatest: Vec<[f64; 8]>,
-    /// For each minimum, an upper bound of it in each beam.
+    /// For each minimum, an upper bound of it in each beam, …
     least: Vec<[f64; 8]>,
+    /// … and the beams in which a candidate is not certainly positive.
+    doubtful: Vec<u8>,
+    /// The beams in which f itself is asked for, not only its sign.
+    strict: u8,
+    /// Those in which a row was left out because of its sign.
+    signed: u8,
     /// For each row of each list, how much it matters in each beam: its greatest part of a sum.
     weights: Vec<Vec<[f64; 8]>>,
 }
@@ -39,6 +46,9 @@ impl Default for Thin {
             choices: Vec::new(),
             greatest: Vec::new(),
             least: Vec::new(),
+            doubtful: Vec::new(),
+            strict: 0,
+            signed: 0,
             weights: Vec::new(),
         }
     }
@@ -57,14 +67,36 @@ struct Candidate {
     row: Row,
     minimum: usize,
     lo: [f64; 8],
-    /// Beams in which it is certainly defined.
+    /// Beams in which it is certainly defined, …
     sure: u8,
+    /// … and positive, if the sign is all that matters.
+    positive: u8,
 }
 
-/// A choice, and the beams in which either number is certainly less.
+/// A choice, and the beams in which either number is certainly less, or does for the sign.
 struct Decided {
     choice: usize,
     sides: [(u8, Choice); 2],
+    by_sign: bool,
+}
+
+impl Decided {
+    fn new<P: Packet>(
+        p: P,
+        choice: usize,
+        [first, second]: [Truth<P>; 2],
+        flags: &Flags<P>,
+        by_sign: bool,
+    ) -> Self {
+        // A side that is left out must be defined, for a minimum is undefined where either number is.
+        let sure = !p.bits(p.or(flags.undefined, flags.empty));
+        let (first, second) = (p.bits(first.yes) & sure, p.bits(second.yes) & sure);
+        Decided {
+            choice,
+            sides: [(first, Choice::First), (second, Choice::Second)],
+            by_sign,
+        }
+    }
 }
 
 impl Term {
@@ -92,29 +124,43 @@ impl<P: Packet + Arithmetic<Packet = P, Value = Interval<P::F>>> Terms<P> for (P
     }
 
     #[inline(always)]
-    fn candidate(&mut self, row: Row, minimum: usize, number: Interval<P::F>, flags: Flags<P>) {
+    fn candidate(
+        &mut self,
+        row: Row,
+        minimum: usize,
+        number: Interval<P::F>,
+        flags: Flags<P>,
+        by_sign: bool,
+    ) {
         let p = self.0;
         if self.1.measuring {
             return;
         }
+        let sure = !p.bits(p.or(flags.undefined, flags.empty));
+        let positive = sure & p.bits(p.lt(p.splat(0.0), number.lo));
         let candidate = Candidate {
             row,
             minimum,
             lo: p.to_array(number.lo),
-            sure: !p.bits(p.or(flags.undefined, flags.empty)),
+            sure,
+            positive: if by_sign { positive } else { 0 },
         };
         self.1.add_candidate(candidate, p.to_array(number.hi));
     }
 
-    /// A side that is left out must be defined, for a minimum is undefined where either number is.
     #[inline(always)]
-    fn choice(&mut self, choice: usize, [first, second]: [Truth<P>; 2], flags: Flags<P>) {
-        let p = self.0;
-        let sure = !p.bits(p.or(flags.undefined, flags.empty));
+    fn choice(&mut self, choice: usize, less: [Truth<P>; 2], flags: Flags<P>) {
         if !self.1.measuring {
-            let (first, second) = (p.bits(first.yes) & sure, p.bits(second.yes) & sure);
-            let sides = [(first, Choice::First), (second, Choice::Second)];
-            self.1.choices.push(Decided { choice, sides });
+            let decided = Decided::new(self.0, choice, less, &flags, false);
+            self.1.choices.push(decided);
+        }
+    }
+
+    #[inline(always)]
+    fn by_sign(&mut self, choice: usize, alone: [Truth<P>; 2], flags: Flags<P>) {
+        if !self.1.measuring {
+            let decided = Decided::new(self.0, choice, alone, &flags, true);
+            self.1.choices.push(decided);
         }
     }
 }
@@ -138,9 +184,10 @@ fn each(own: &Range<usize>, work: impl FnMut(usize)) {
 }
 
 impl Thin {
-    /// Looks at these beams from now on.
-    pub fn look_at(&mut self, own: Range<usize>) {
+    /// Looks at these beams from now on; in some f itself is asked for, not only its sign.
+    pub fn look_at(&mut self, own: Range<usize>, strict: u8) {
         self.own = own;
+        self.strict = strict;
     }
 
     fn add_measure(&mut self, term: &Term) {
@@ -154,6 +201,10 @@ impl Thin {
         // An upper bound holds where the number is defined; where it may not be, the row stays.
         let least = entry(&mut self.least, candidate.minimum, f64::INFINITY);
         each(&self.own, |lane| least[lane] = least[lane].min(hi[lane]));
+        if self.doubtful.len() <= candidate.minimum {
+            self.doubtful.resize(candidate.minimum + 1, 0);
+        }
+        self.doubtful[candidate.minimum] |= !candidate.positive;
         self.candidates.push(candidate);
     }
 
@@ -171,6 +222,8 @@ impl Thin {
         self.candidates.clear();
         self.choices.clear();
         self.least.clear();
+        self.doubtful.clear();
+        self.signed = 0;
         tell(self);
         self.weigh_rows(active);
     }
@@ -201,9 +254,17 @@ impl Thin {
             cuts.push([lost, rough]);
         }
         self.add_rests(lane, &cuts, &mut to.rest);
-        for Decided { choice, sides } in &self.choices {
-            let known = sides.iter().find(|(beams, _)| beams >> lane & 1 != 0);
-            to.choices[*choice] = known.map_or(Choice::Open, |side| side.1);
+        to.by_sign |= self.signed >> lane & 1 != 0;
+        let strict = self.strict >> lane & 1 != 0;
+        for decided in &self.choices {
+            if to.choices[decided.choice] != Choice::Open || decided.by_sign && strict {
+                continue;
+            }
+            let mut sides = decided.sides.iter();
+            if let Some((_, side)) = sides.find(|(beams, _)| beams >> lane & 1 != 0) {
+                to.choices[decided.choice] = *side;
+                to.by_sign |= decided.by_sign;
+            }
         }
     }
 
@@ -249,9 +310,22 @@ impl Thin {
         for candidate in &self.candidates {
             let least = &self.least[candidate.minimum];
             let weights = &mut self.weights[candidate.row.list][candidate.row.at];
+            let mut beaten = 0;
             each(&self.own, |lane| {
-                let beaten = candidate.sure >> lane & 1 != 0 && least[lane] < candidate.lo[lane];
-                weights[lane] = weights[lane].max(if beaten { 0.0 } else { f64::INFINITY });
+                beaten |= u8::from(least[lane] < candidate.lo[lane]) << lane;
+            });
+            beaten &= candidate.sure;
+            // One whose sign is open stays.
+            let spare = candidate.positive & self.doubtful[candidate.minimum] & !self.strict;
+            self.signed |= spare & !beaten;
+            beaten |= spare;
+            each(&self.own, |lane| {
+                let part = if beaten >> lane & 1 != 0 {
+                    0.0
+                } else {
+                    f64::INFINITY
+                };
+                weights[lane] = weights[lane].max(part);
             });
         }
         // Nothing was told about these: all of them stay.
@@ -441,6 +515,7 @@ mod tests {
                     lo: [lo; 8],
                     // In the last beam nothing is certainly defined.
                     sure: 0x7f,
+                    positive: 0,
                 };
                 thin.add_candidate(candidate, [hi; 8]);
             }
@@ -452,6 +527,47 @@ mod tests {
         };
         assert_eq!(rows(0), [0, 1]);
         assert_eq!(rows(7), [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn of_a_sign_what_is_positive_is_left_out() {
+        let active = Active::everything(&[4], 0, 1);
+        // In the last beam all are positive; the third row is defined nowhere for certain.
+        let lows = [[-1.0, 1.0], [0.5, 0.7], [0.5, 0.7], [0.9, 0.8]];
+        let mut thin = Thin::default();
+        thin.look_at(0..8, 0b10);
+        thin.weigh(&active, |thin| {
+            for (at, [most, last]) in lows.into_iter().enumerate() {
+                let mut lo = [most; 8];
+                lo[7] = last;
+                let sure = if at == 2 { 0x80 } else { 0xff };
+                let positive = (0..8).filter(|k| lo[*k] > 0.0);
+                let candidate = Candidate {
+                    row: Row { list: 0, at },
+                    minimum: 0,
+                    lo,
+                    sure,
+                    positive: sure & positive.fold(0, |bits, k| bits | 1 << k),
+                };
+                thin.add_candidate(candidate, [2.0; 8]);
+            }
+            thin.choices.push(Decided {
+                choice: 0,
+                sides: [(0b110, Choice::First), (0xff, Choice::Second)],
+                by_sign: true,
+            });
+        });
+        let chosen = |lane| {
+            let mut chosen = Active::default();
+            thin.choose(&active, lane, &mut chosen);
+            (chosen.rows[0].clone(), chosen.choices[0], chosen.by_sign)
+        };
+        assert_eq!(chosen(0), (vec![0, 2], Choice::Second, true));
+        assert_eq!(chosen(2), (vec![0, 2], Choice::First, true));
+        // f itself is asked for here.
+        assert_eq!(chosen(1), (vec![0, 1, 2, 3], Choice::Open, false));
+        // None is left to tell the sign: all stay.
+        assert_eq!(chosen(7), (vec![0, 1, 2, 3], Choice::Second, true));
     }
 
     #[test]

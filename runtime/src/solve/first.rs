@@ -34,6 +34,8 @@ pub(crate) struct Roots<P: Packet> {
     pub t: Interval<P::F>,
     /// A search for the next goes on here.
     pub resume: P::F,
+    /// Those that are wide and might be narrower.
+    pub vague: P::M,
 }
 
 /// A contractor's search on one instruction set.
@@ -98,6 +100,7 @@ fn unsearched<P: Packet>(job: Job<'_, P>) -> Roots<P> {
         hit: p.none(),
         t: *job.over,
         resume: job.over.hi,
+        vague: p.none(),
     }
 }
 
@@ -128,6 +131,7 @@ impl<C: Contractor, P: Packet> Routine<P> for Search<'_, C, P> {
             hit: found.found,
             t: *job.over,
             resume: job.over.hi,
+            vague: p.none(),
         };
         if p.any(found.found) {
             let t = p.call(Refine {

@@ -88,6 +88,9 @@ struct FirstRoots<'b, 'f, S: Surface, P: Packet> {
     first_only: bool,
     /// Narrow the intervals of roots in twice the precision?
     twice: bool,
+    /// Are events, and roots that are too wide, left as they are? Twice the precision is for f itself, not for what has its
+    /// sign only.
+    by_sign: bool,
     events: &'b mut Events,
     /// Where the first ray's search went on, for those who keep account.
     cuts: Option<&'b mut Vec<f64>>,
@@ -99,6 +102,10 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
     fn find(mut self, p: P) -> Roots<P> {
         let mut roots = self.found(p);
         let width = p.sub_ru(roots.t.hi, roots.t.lo);
+        if self.by_sign {
+            roots.vague = p.and(roots.hit, p.lt(p.splat(WIDE), width));
+            return roots;
+        }
         let goal = if self.twice {
             p.mul_rn(roots.t.hi, p.splat(2.0 * f64::EPSILON))
         } else {
@@ -139,6 +146,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
                 hit: p.and(live, first.hit),
                 t: first.root,
                 resume: first.resume,
+                vague: p.none(),
             };
             let decided = p.and(live, first.decided);
             self.surface.counts.closed += u64::from(p.bits(decided).count_ones());
@@ -155,6 +163,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
                 hit: p.or(roots.hit, found.hit),
                 t: select(p, found.hit, &found.t, &roots.t),
                 resume: p.select(found.hit, found.resume, roots.resume),
+                vague: p.none(),
             },
         }
     }

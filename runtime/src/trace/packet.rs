@@ -69,12 +69,14 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             active: &rows.near,
             reach: rows.reach,
             within,
+            separated: true,
         };
         loop {
             left = self.search(number, hint, &look, &left);
             if look.is_whole() || !p.any(left.lanes) {
                 return;
             }
+            look.separated &= !rows.near.by_sign;
             if look.reach < f64::INFINITY {
                 look.active = &rows.all;
                 look.reach = f64::INFINITY;
@@ -120,16 +122,17 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             over,
             live,
             known: match &hint.single {
-                Some(single) => Some(self.brackets(number, single, &over, live)),
-                None => None,
+                Some(single) if look.separated => Some(self.brackets(number, single, &over, live)),
+                _ => None,
             },
             first: hint.length,
         };
         let roots = self.roots(number, look.active, piece, &mut left.spent);
         let mut hit = roots.hit;
-        if self.events.touched != 0 && !look.is_whole() {
+        let unclear = p.or(p.mask(self.events.touched), roots.vague);
+        if p.any(unclear) && !look.is_whole() {
             // What the ends of the search, or rows that were left out, may have caused is looked at again.
-            let again = p.and(live, p.mask(self.events.touched));
+            let again = p.and(live, unclear);
             self.events.clear();
             hit = p.and_not(hit, again);
             left.lanes = p.or(left.lanes, again);
@@ -256,6 +259,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             known: known.as_ref(),
             first_only: true,
             twice: self.settings.narrowing.twice(true),
+            by_sign: active.by_sign,
             events: &mut self.events,
             cuts: None,
             solver: C::solver(),
@@ -287,12 +291,14 @@ struct Look<'a> {
     reach: f64,
     /// Elsewhere boxes tell that there is no root.
     within: [f64; 2],
+    /// Is f what it was when beams separated roots? With the rows that come first it is.
+    separated: bool,
 }
 
 impl Look<'_> {
     /// Is all of each ray searched that is of interest?
     fn is_whole(&self) -> bool {
-        self.reach == f64::INFINITY && self.within == ANYWHERE
+        self.reach == f64::INFINITY && self.within == ANYWHERE && !self.active.by_sign
     }
 }
 

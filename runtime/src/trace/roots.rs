@@ -147,6 +147,7 @@ impl<S: Surface, P: Packet> Searched<'_, '_, S, P> {
                 known: None,
                 first_only: self.first_only,
                 twice: self.settings.narrowing.twice(false),
+                by_sign: false,
                 events: &mut events,
                 cuts: Some(&mut trail.cuts),
                 solver: self.solver,

@@ -209,6 +209,7 @@ fn all_events<S: Surface, P: Packet>(
             known: None,
             first_only: false,
             twice: settings.narrowing.twice(true),
+            by_sign: false,
             events: &mut events,
             cuts: None,
             solver,

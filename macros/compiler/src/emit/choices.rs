@@ -5,6 +5,7 @@
 //! by their union, and computed where one of them is alive. So is a node that is 0 unless a side is alive, as the smooth
 //! part of a blend is: it is 0 where it is not computed.
 
+use super::signs::Signs;
 use crate::exact::Rational;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope, operands};
@@ -27,6 +28,8 @@ pub struct Choices {
     pairs: Vec<(Id, Id)>,
     /// Is there a minimum or maximum of them?
     extreme: Vec<bool>,
+    /// Is it all that they are compared for, and does its sign do? Then this is which of the two.
+    signs: Vec<Option<Function>>,
     /// What guards each choice.
     within: Vec<Option<Side>>,
     /// The nodes that are 0 unless a side is alive.
@@ -58,6 +61,17 @@ fn is_written(graph: &Graph, (a, b): (Id, Id)) -> bool {
         .any(|id| matches!(graph.op(*id), Op::Polynomial(..)))
 }
 
+/// The function that makes a choice wherever f does, if f's sign depends on its sign alone. Derivatives choose as f does.
+fn sign(graph: &Graph, signs: &Signs, nodes: &[Id], of: (Id, Id)) -> Option<Function> {
+    let made = |id: &&Id| signs.uses(**id) && pair(graph, **id) == Some(of);
+    let mut by = nodes.iter().filter(made).map(|id| match graph.op(*id) {
+        Op::Binary(function, ..) if signs.suffices(*id) => Some(*function),
+        _ => None,
+    });
+    let first = by.next()??;
+    by.all(|other| other == Some(first)).then_some(first)
+}
+
 /// The branches of an operation that chooses.
 pub fn branches(op: &Op) -> Option<[Id; 2]> {
     match op {
@@ -68,7 +82,12 @@ pub fn branches(op: &Op) -> Option<[Id; 2]> {
 
 impl Choices {
     /// Those whose sides guard anything.
-    pub fn new(graph: &Graph, staged: &Staged, ready: impl Fn(Id) -> bool) -> Choices {
+    pub fn new(
+        graph: &Graph,
+        staged: &Staged,
+        signs: &Signs,
+        ready: impl Fn(Id) -> bool,
+    ) -> Choices {
         let written = staged.jet.iter().flatten();
         let roots: Vec<Id> = written
             .chain(staged.over.iter().flatten())
@@ -97,6 +116,11 @@ impl Choices {
                     .any(|id| pair(graph, *id) == Some(*of))
             })
             .collect();
+        choices.signs = choices
+            .pairs
+            .iter()
+            .map(|of| sign(graph, signs, &nodes, *of))
+            .collect();
         for _ in 0..16 {
             choices.guards = choices.guarded(graph, &nodes, &roots, &ready);
             let within = choices.standing(graph, &nodes);
@@ -124,6 +148,11 @@ impl Choices {
     /// How many there are.
     pub fn count(&self) -> usize {
         if self.is_empty() { 0 } else { self.pairs.len() }
+    }
+
+    /// The minimum or maximum that a choice is all about, if its sign does.
+    pub fn sign(&self, choice: usize) -> Option<Function> {
+        self.signs.get(choice).copied().flatten()
     }
 
     /// The side that guards a node of the segment stage.

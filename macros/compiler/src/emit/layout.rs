@@ -6,6 +6,7 @@
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
 use super::choices::{Choices, side};
+use super::signs::Signs;
 use super::terms::Terms;
 use crate::form::Form;
 use crate::graph::{Graph, Id, Op, Scope, operands};
@@ -55,14 +56,16 @@ impl Layout {
         let outermost: Vec<usize> = (0..graph.folds.len())
             .filter(|&f| graph.chain(f) == Scope::of(f))
             .collect();
-        let terms = Terms::new(graph, staged, &outermost, |id| form.ready(graph, id));
+        let ready = |id| form.ready(graph, id);
+        let signs = Signs::new(graph, &staged.values(), ready);
+        let terms = Terms::new(graph, staged, (&outermost, &signs), ready);
         let mut layout = Layout {
             form,
             top: Store::default(),
             rows: Vec::new(),
             outermost,
             terms,
-            choices: Choices::new(graph, staged, |id| form.ready(graph, id)),
+            choices: Choices::new(graph, staged, &signs, ready),
             twice: false,
             values: HashMap::new(),
             leaves: Vec::new(),

@@ -14,6 +14,7 @@ mod report;
 mod rows;
 mod scalar;
 mod series;
+mod signs;
 mod stages;
 mod terms;
 mod text;

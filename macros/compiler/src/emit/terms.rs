@@ -4,6 +4,8 @@
 use super::block::block;
 use super::choices::side;
 use super::enclosure::{Enclosure, Value};
+use super::signs::Signs;
+use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope};
 use crate::stage::Staged;
 use crate::tree::FoldKind;
@@ -29,11 +31,25 @@ struct Sum {
 }
 
 /// What minima and maxima choose from.
-#[derive(PartialEq, Eq, Debug)]
+#[derive(Debug)]
 struct Extreme {
     fold: usize,
     number: Id,
     greatest: bool,
+    /// Does its sign do?
+    sign: bool,
+}
+
+impl Extreme {
+    /// Is it this one, or a derivative of it, which chooses alike?
+    fn is(&self, graph: &Graph, id: Id) -> bool {
+        let Op::Fold(kind, fold, arguments) = graph.op(id) else {
+            return false;
+        };
+        let of = (*fold, arguments.first() == Some(&self.number));
+        let greatest = *kind == FoldKind::Maximum;
+        of == (self.fold, true) && greatest == self.greatest && *kind != FoldKind::Sum
+    }
 }
 
 impl Terms {
@@ -41,7 +57,7 @@ impl Terms {
     pub fn new(
         graph: &Graph,
         staged: &Staged,
-        outermost: &[usize],
+        (outermost, signs): (&[usize], &Signs),
         ready: impl Fn(Id) -> bool,
     ) -> Terms {
         let all = folds(graph, staged, ready);
@@ -53,6 +69,11 @@ impl Terms {
                 here().for_each(|id| terms.add(graph, *id));
             }
         }
+        for extreme in &mut terms.extremes {
+            let of_f = all.iter().filter(|id| signs.uses(**id));
+            let mut same = of_f.filter(|id| extreme.is(graph, **id));
+            extreme.sign = same.all(|id| signs.suffices(*id));
+        }
         terms
     }
 
@@ -60,19 +81,19 @@ impl Terms {
         let Op::Fold(kind, fold, arguments) = graph.op(id) else {
             return;
         };
-        let (fold, greatest) = (*fold, *kind == FoldKind::Maximum);
+        let fold = *fold;
         let Some(&term) = arguments.first() else {
             return;
         };
-        let extreme = Extreme {
-            fold,
-            number: term,
-            greatest,
-        };
         if *kind == FoldKind::Sum {
             self.sums.push(Sum { id, fold, term });
-        } else if !self.extremes.contains(&extreme) {
-            self.extremes.push(extreme);
+        } else if !self.extremes.iter().any(|known| known.is(graph, id)) {
+            self.extremes.push(Extreme {
+                fold,
+                number: term,
+                greatest: *kind == FoldKind::Maximum,
+                sign: false,
+            });
         }
     }
 
@@ -114,11 +135,24 @@ impl Terms {
             let (first, second) = (&first.name, &second.name);
             let [f, g] = flags;
             let (yes, no) = (side(2 * choice), side(2 * choice + 1));
-            let choice = Literal::usize_unsuffixed(choice);
+            let number = Literal::usize_unsuffixed(choice);
+            let by_sign = match target.layout.choices.sign(choice) {
+                Some(Function::Min) => quote!([a.less(zero, #second), a.less(zero, #first)]),
+                Some(_) => quote!([a.less(#first, zero), a.less(#second, zero)]),
+                None => TokenStream::new(),
+            };
+            let by_sign = (!by_sign.is_empty()).then(|| {
+                quote! {
+                    let zero = a.constant(&__zeroset::point(0.0));
+                    to.by_sign(#number, #by_sign, flags);
+                }
+            });
             body.extend(quote! {
                 if #yes & #no {
                     let less = [a.less(#first, #second), a.less(#second, #first)];
-                    to.choice(#choice, less, a.join(#f, #g));
+                    let flags = a.join(#f, #g);
+                    to.choice(#number, less, flags);
+                    #by_sign
                 }
             });
         }
@@ -155,7 +189,8 @@ impl Terms {
                 quote!(#name)
             };
             let flags = told(flags.as_ref());
-            tell.extend(quote!(to.candidate(row, #place, #number, #flags);));
+            let sign = extreme.sign;
+            tell.extend(quote!(to.candidate(row, #place, #number, #flags, #sign);));
         }
         let (at, list) = (format_ident!("j{fold}"), target.layout.active(fold));
         quote! { #header { #start #body let row = __zeroset::ActiveRow { list: #list, at: #at }; #tell } }

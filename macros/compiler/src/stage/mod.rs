@@ -37,6 +37,12 @@ pub struct Staged {
 }
 
 impl Staged {
+    /// f in each of its forms.
+    pub fn values(&self) -> Vec<Id> {
+        let over = self.over.map(|[value, ..]| value);
+        self.jet[0].into_iter().chain(over).collect()
+    }
+
     /// Splits the formula `root` and differentiates it along the ray.
     pub fn new(graph: &mut Graph, root: Id) -> Staged {
         Staged::in_form(graph, root, Form::Staged)

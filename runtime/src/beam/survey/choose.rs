@@ -22,7 +22,8 @@ impl<P: Packet> Surveyor<'_, P> {
         rows: &mut [Rows; 8],
     ) {
         let p = self.p;
-        thin.look_at(p.own());
+        // The root of these was separated for f with the rows that are given: with fewer it must be the same.
+        thin.look_at(p.own(), p.bits(found.one));
         let open = p.bits(found.open);
         let lanes = move || (0..8).filter(move |lane| open >> lane & 1 != 0);
         let Stretch { end, last, .. } = *self.stretch;

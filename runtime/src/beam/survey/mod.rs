@@ -222,7 +222,14 @@ impl<P: Packet> Survey<'_, '_, P> {
                 .iter_mut()
                 .enumerate()
                 .filter(|(k, _)| open >> k & 1 != 0);
-            open.for_each(|(_, rows)| rows.copy(self.request.rows));
+            open.for_each(|(_, rows)| {
+                rows.copy(self.request.rows);
+                if to_the_end {
+                    // Those of this look come first.
+                    rows.near.clone_from(active);
+                    rows.reach = f64::INFINITY;
+                }
+            });
         } else if p.any(found.open) {
             let frame = self.request.space.frame;
             surveyor.choose(

@@ -31,7 +31,6 @@ impl<P: Packet> Surveyor<'_, P> {
     /// between them, and strictly monotone along all rays.
     #[inline(always)]
     pub(super) fn prove_single(&mut self, found: &mut Found<P>) {
-        let p = self.p;
         let front = found.front;
         let root = self.guess(front, found.open);
         self.try_single(found, root, &NEAR);
