@@ -42,6 +42,7 @@ pub(crate) struct Roots<P: Packet> {
 #[derive(Clone, Copy)]
 pub struct Solver<P: Packet> {
     search: fn(Job<'_, P>) -> Roots<P>,
+    settle: fn(Job<'_, P>) -> Roots<P>,
     sharpen: fn(Second<'_, P>, &mut Interval<P::F>),
     /// Does it use second derivatives?
     pub(crate) bends: bool,
@@ -54,6 +55,7 @@ impl<P: Packet> Solver<P> {
     pub(crate) const fn of<C: Contractor>() -> Self {
         Solver {
             search: search::<C, P>,
+            settle,
             sharpen,
             bends: C::ORDER >= 2,
         }
@@ -65,6 +67,7 @@ impl<P: Packet> Solver<P> {
         // All back-ends are listed; one that were not would find nothing, and claim nothing.
         ready.copied().unwrap_or(Solver {
             search: unsearched,
+            settle: unsearched,
             sharpen: |_, _| {},
             bends: false,
         })
@@ -73,7 +76,11 @@ impl<P: Packet> Solver<P> {
     /// The first root of each ray.
     #[inline(always)]
     pub(crate) fn search(self, job: Job<'_, P>) -> Roots<P> {
-        (self.search)(job)
+        if job.field.p.any(job.live) {
+            (self.search)(job)
+        } else {
+            (self.settle)(job)
+        }
     }
 
     /// Looks again in twice the precision, at roots and at events.
@@ -90,6 +97,50 @@ fn search<C: Contractor, P: Packet>(job: Job<'_, P>) -> Roots<P> {
         job,
         solver: PhantomData,
     })
+}
+
+/// Without a search: what is known already is made narrow.
+fn settle<P: Packet>(job: Job<'_, P>) -> Roots<P> {
+    job.field.p.call(Settle { job })
+}
+
+/// [`settle`] inside the instruction set.
+struct Settle<'b, P: Packet> {
+    job: Job<'b, P>,
+}
+
+impl<P: Packet> Routine<P> for Settle<'_, P> {
+    type Output = Roots<P>;
+
+    #[inline(always)]
+    fn call(self, p: P) -> Roots<P> {
+        let mut job = self.job;
+        match job.known {
+            Some(known) => roots_of(p, &mut job, known),
+            None => roots_of(p, &mut job, &Brackets::none(p)),
+        }
+    }
+}
+
+/// The narrow intervals of brackets.
+#[inline(always)]
+fn roots_of<P: Packet>(p: P, job: &mut Job<'_, P>, found: &Brackets<P>) -> Roots<P> {
+    let mut roots = Roots {
+        hit: found.found,
+        t: *job.over,
+        resume: job.over.hi,
+        vague: p.none(),
+    };
+    if p.any(found.found) {
+        let t = p.call(Refine {
+            field: &mut job.field,
+            brackets: found,
+            plain_convergence: job.settings.plain_convergence,
+        });
+        roots.t = select(p, found.found, &t, &roots.t);
+        roots.resume = p.select(found.found, found.resume, roots.resume);
+    }
+    roots
 }
 
 /// Leaves everything open.
@@ -123,26 +174,11 @@ impl<C: Contractor, P: Packet> Routine<P> for Search<'_, C, P> {
             limit: p.splat(job.settings.limit()),
             first_only: job.first_only,
         };
-        let mut found = march::<C, P>(&mut job.field, &range, job.events, job.cuts);
+        let mut found = march::<C, P>(&mut job.field, &range, job.events, job.cuts.take());
         if let Some(known) = job.known {
             found.join(p, known.found, known);
         }
-        let mut roots = Roots {
-            hit: found.found,
-            t: *job.over,
-            resume: job.over.hi,
-            vague: p.none(),
-        };
-        if p.any(found.found) {
-            let t = p.call(Refine {
-                field: &mut job.field,
-                brackets: &found,
-                plain_convergence: job.settings.plain_convergence,
-            });
-            roots.t = select(p, found.found, &t, &roots.t);
-            roots.resume = p.select(found.found, found.resume, roots.resume);
-        }
-        roots
+        roots_of(p, &mut job, &found)
     }
 }
 

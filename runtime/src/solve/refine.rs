@@ -49,13 +49,16 @@ fn refine<P: Packet>(
         (x, slope) = converge(field, brackets, x);
     }
     let steep = p.and(found, nonzero(p, &brackets.slope));
-    let mut enough = goal;
+    let mut noise = None;
     if p.any(steep) {
         let fx = field.point(x, steep).d[0];
         narrow(p, x, &fx, &brackets.slope, steep, &mut root);
-        enough = p.max_f(goal, attainable(p, &fx, slope));
+        noise = Some(fx);
     }
-    let wide = p.and(found, p.lt(enough, width(p, &root)));
+    let mut wide = p.and(found, p.lt(goal, width(p, &root)));
+    if let (true, Some(fx)) = (p.any(wide), noise) {
+        wide = p.and(wide, p.lt(attainable(p, &fx, slope), width(p, &root)));
+    }
     if p.any(wide) {
         let job = Narrow {
             field,
@@ -90,6 +93,7 @@ fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F
     let Interval { mut lo, mut hi } = brackets.t;
     // What is left behind a step is in proportion to its square, or to its square and that of the step before: a few ulp.
     let close = p.mul_rn(hi, p.splat(1.0 / (1u64 << 26) as f64));
+    let closer = p.mul_rn(hi, close);
     let mut before = Seen::nowhere(p);
     let mut reach = hi;
     let mut x = x;
@@ -124,9 +128,10 @@ fn converge<P: Packet>(field: &mut Field<'_, P>, brackets: &Brackets<P>, x: P::F
         };
         let next = p.select(inside, next, instead);
         let step = p.abs_f(p.sub_rn(next, x));
-        let order = p.select(usable, p.mul_rn(step, p.div_rn(reach, brackets.t.hi)), step);
         x = p.select(open, next, x);
-        open = p.and_not(open, p.le(order, close));
+        let by_two = p.and(usable, p.le(p.mul_rn(step, reach), closer));
+        let by_one = p.and_not(p.le(step, close), usable);
+        open = p.and_not(open, p.or(by_two, by_one));
         if !p.any(open) {
             break;
         }
