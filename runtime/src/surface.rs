@@ -31,13 +31,34 @@ pub trait Surface: Send + Sync {
     /// Room for the ray stage, to be used again for packet after packet.
     fn unbound<L: Leaves>(p: L::Packet) -> Self::Bound<L>;
     /// The ray stage, for the active rows.
+    #[inline(always)]
     fn bind<P: Packet>(
         p: P,
         prepared: &Self::Prepared,
         rays: &Rays<P>,
         active: &Active,
         bound: &mut Self::Bound<P>,
+    ) {
+        Self::bind_leaves(p, prepared, rays, active, bound);
+        Self::bind_series(p, prepared, rays, bound);
+    }
+    /// What points of rays need of it.
+    fn bind_leaves<P: Packet>(
+        p: P,
+        prepared: &Self::Prepared,
+        rays: &Rays<P>,
+        active: &Active,
+        bound: &mut Self::Bound<P>,
     );
+    /// What segments need of it, besides: polynomials of higher degree.
+    #[inline(always)]
+    fn bind_series<P: Packet>(
+        _p: P,
+        _prepared: &Self::Prepared,
+        _rays: &Rays<P>,
+        _bound: &mut Self::Bound<P>,
+    ) {
+    }
     /// Makes other leaves of the leaves `from`, which has all rows, for the rows of `active`. False, without
     /// any work, from a surface that has no leaves: it cannot be traced in beams.
     fn rebind<R: Rebind>(

@@ -219,7 +219,7 @@ impl<S: Surface> Surface for Placed<S> {
     }
 
     #[inline(always)]
-    fn bind<P: Packet>(
+    fn bind_leaves<P: Packet>(
         p: P,
         prepared: &Self::Prepared,
         rays: &Rays<P>,
@@ -227,7 +227,18 @@ impl<S: Surface> Surface for Placed<S> {
         bound: &mut Self::Bound<P>,
     ) {
         let rays = own_rays(p, prepared, rays);
-        S::bind(p, &prepared.own, &rays, active, bound);
+        S::bind_leaves(p, &prepared.own, &rays, active, bound);
+    }
+
+    #[inline(always)]
+    fn bind_series<P: Packet>(
+        p: P,
+        prepared: &Self::Prepared,
+        rays: &Rays<P>,
+        bound: &mut Self::Bound<P>,
+    ) {
+        let rays = own_rays(p, prepared, rays);
+        S::bind_series(p, &prepared.own, &rays, bound);
     }
 
     #[inline(always)]

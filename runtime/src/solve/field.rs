@@ -8,13 +8,13 @@ use crate::surface::{Active, Choice};
 /// again for each surface: the call costs nothing beside an evaluation.
 pub(crate) trait Along<P: Packet> {
     /// f over `t`.
-    fn value(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 1>;
+    fn value(&mut self, p: P, t: &Interval<P::F>) -> Enclosed<P, 1>;
     /// f over `t` by plain interval arithmetic in space, for the lanes of `live`.
     fn natural(&self, p: P, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1>;
     /// f and f' over `t`.
-    fn slope(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 2>;
+    fn slope(&mut self, p: P, t: &Interval<P::F>) -> Enclosed<P, 2>;
     /// f, f' and f'' over `t`.
-    fn curvature(&self, p: P, t: &Interval<P::F>) -> Enclosed<P, 3>;
+    fn curvature(&mut self, p: P, t: &Interval<P::F>) -> Enclosed<P, 3>;
     /// f at `t`.
     fn point(&self, p: P, t: &At<P::F>) -> Enclosed<P, 1>;
     /// f and f' at `t` in plain floats.
@@ -26,7 +26,7 @@ pub(crate) trait Along<P: Packet> {
 /// f along the rays of one packet, counted.
 pub struct Field<'a, P: Packet> {
     pub(crate) p: P,
-    pub(crate) along: &'a dyn Along<P>,
+    pub(crate) along: &'a mut dyn Along<P>,
     pub(crate) counts: &'a mut Evaluations,
     /// Evaluations of all kinds that each ray took so far.
     pub(crate) spent: &'a mut P::F,
@@ -125,7 +125,7 @@ impl<'a, P: Packet> Field<'a, P> {
     #[inline(always)]
     pub(crate) fn new(
         p: P,
-        along: &'a dyn Along<P>,
+        along: &'a mut dyn Along<P>,
         counts: &'a mut Evaluations,
         spent: &'a mut P::F,
     ) -> Self {

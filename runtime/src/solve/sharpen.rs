@@ -70,7 +70,7 @@ impl<P: Packet> Second<'_, P> {
     fn on<T>(&mut self, lane: usize, work: impl FnOnce(&mut Line<'_, P>) -> T) -> T {
         let p = self.field.p;
         let mut line = Line {
-            along: self.field.along,
+            along: &*self.field.along,
             origin: [0, 1, 2].map(|k| self.lines.origin[k][lane]),
             direction: [0, 1, 2].map(|k| self.lines.direction[k][lane]),
             entry: p.to_array(self.entry)[lane],

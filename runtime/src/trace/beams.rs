@@ -4,7 +4,7 @@
 use core::any::Any;
 use core::marker::PhantomData;
 
-use super::bound;
+use super::Entries;
 use crate::beam::{
     Assemble, Bundle, Findings, Frame, Hint, OverBeams, Request, Scout, Shift, Slab, Space, Thin,
     Towards,
@@ -37,8 +37,9 @@ impl<S: Surface> Kernel for AssembleLeaves<'_, S> {
     #[inline(always)]
     fn run<P: Packet>(self, p: P) -> Option<Leaves> {
         let eight = p.eight();
-        let along = bound::<S, P::Eight>(eight, self.prepared, &self.frame.lines(eight));
-        let active = S::everything(self.prepared);
+        let (lines, active) = (self.frame.lines(eight), S::everything(self.prepared));
+        let mut along = S::unbound::<P::Eight>(eight);
+        Entries::<S, P::Eight>::bind(eight, self.prepared, &lines, &active, &mut along);
         let mut over = S::unbound::<OverBeams<P>>(p);
         S::rebind(&Assemble(p), &along, &active, &mut over).then(|| Box::new(over) as Leaves)
     }

@@ -5,32 +5,115 @@ use crate::interval::{
 };
 use crate::ray::Rays;
 use crate::solve::{Along, Enclosed};
-use crate::surface::Surface;
+use crate::surface::{Active, Surface};
 
 /// A surface bound to the rays of one packet.
 pub(crate) struct Entries<'a, S: Surface, P: Packet> {
-    pub prepared: &'a S::Prepared,
-    pub bound: &'a S::Bound<P>,
-    pub rays: &'a Rays<P>,
+    prepared: &'a S::Prepared,
+    pub bound: &'a mut S::Bound<P>,
+    rays: &'a Rays<P>,
+    /// What only segments need is bound when the first is looked at: many rays need none.
+    whole: bool,
 }
 
-/// Forwards to routines that enter the instruction set.
+impl<'a, S: Surface, P: Packet> Entries<'a, S, P> {
+    /// Binds a surface to rays, with its active rows.
+    #[inline(always)]
+    pub fn bind(
+        p: P,
+        prepared: &'a S::Prepared,
+        rays: &'a Rays<P>,
+        active: &Active,
+        bound: &'a mut S::Bound<P>,
+    ) -> Self {
+        p.call(Leaves::<S, P> {
+            prepared,
+            rays,
+            active,
+            bound,
+        });
+        Entries {
+            prepared,
+            bound,
+            rays,
+            whole: false,
+        }
+    }
+
+    /// Ready for segments.
+    #[inline(always)]
+    fn whole(&mut self, p: P) -> &Self {
+        if !self.whole {
+            p.call(Series { of: self });
+            self.whole = true;
+        }
+        self
+    }
+}
+
+/// The ray stage, a function of its own, …
+struct Leaves<'a, S: Surface, P: Packet> {
+    prepared: &'a S::Prepared,
+    rays: &'a Rays<P>,
+    active: &'a Active,
+    bound: &'a mut S::Bound<P>,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Leaves<'_, S, P> {
+    type Output = ();
+    #[inline(always)]
+    fn call(self, p: P) {
+        S::bind_leaves(p, self.prepared, self.rays, self.active, self.bound);
+    }
+}
+
+/// … and the part that only segments need.
+struct Series<'b, 'a, S: Surface, P: Packet> {
+    of: &'b mut Entries<'a, S, P>,
+}
+
+impl<S: Surface, P: Packet> Routine<P> for Series<'_, '_, S, P> {
+    type Output = ();
+    #[inline(always)]
+    fn call(self, p: P) {
+        let Entries {
+            prepared,
+            bound,
+            rays,
+            ..
+        } = self.of;
+        S::bind_series(p, prepared, rays, bound);
+    }
+}
+
+/// Forwards to routines that enter the instruction set: over segments, and at points.
 macro_rules! entries {
-    ($($name:ident($t:ty) -> $out:ty = $routine:ident;)*) => {
+    (
+        over $t:ty { $($name:ident -> $out:ty = $routine:ident;)* }
+        at $at:ty { $($point:ident -> $value:ty = $look:ident;)* }
+    ) => {
         $(#[inline]
-        fn $name(&self, p: P, t: &$t) -> $out {
-            p.call($routine { of: self, t })
+        fn $name(&mut self, p: P, t: &$t) -> $out {
+            p.call($routine { of: self.whole(p), t })
+        })*
+        $(#[inline]
+        fn $point(&self, p: P, t: &$at) -> $value {
+            p.call($look { of: self, t })
         })*
     };
 }
 
 impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
     entries! {
-        value(Interval<P::F>) -> Enclosed<P, 1> = Value;
-        slope(Interval<P::F>) -> Enclosed<P, 2> = Slope;
-        curvature(Interval<P::F>) -> Enclosed<P, 3> = Curvature;
-        point(At<P::F>) -> Enclosed<P, 1> = Point;
-        float(At<P::F>) -> [P::F; 2] = Float;
+        over Interval<P::F> {
+            value -> Enclosed<P, 1> = Value;
+            slope -> Enclosed<P, 2> = Slope;
+            curvature -> Enclosed<P, 3> = Curvature;
+        }
+        at At<P::F> {
+            point -> Enclosed<P, 1> = Point;
+            float -> [P::F; 2] = Float;
+        }
     }
 
     fn natural(&self, p: P, t: &Interval<P::F>, live: P::M) -> Enclosed<P, 1> {

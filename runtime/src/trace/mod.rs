@@ -27,43 +27,14 @@ pub(crate) use survey::{Beam, BeamOf, SideOfBoxes, Survey, eighth};
 pub(crate) use tile::TraceTile;
 pub(crate) use trails::{Mark, Trails, TrailsOfTile};
 
-use crate::interval::{Interval, Packet, Routine};
-use crate::ray::{Lines, Rays};
+use crate::interval::{Interval, Packet};
+use crate::ray::Lines;
 use crate::solve::{
     Brackets, Evaluations, Events, Field, Job, Roots, Second, Settings, Solver, WIDE, closed_form,
     select,
 };
-use crate::surface::{Active, Surface};
+use crate::surface::Surface;
 use entries::Entries;
-
-/// The ray stage, a function of its own.
-struct Bind<'a, S: Surface, P: Packet> {
-    prepared: &'a S::Prepared,
-    rays: &'a Rays<P>,
-    active: &'a Active,
-    bound: &'a mut S::Bound<P>,
-}
-
-impl<S: Surface, P: Packet> Routine<P> for Bind<'_, S, P> {
-    type Output = ();
-    #[inline(always)]
-    fn call(self, p: P) {
-        S::bind(p, self.prepared, self.rays, self.active, self.bound);
-    }
-}
-
-/// The ray stage with all rows, in new room.
-#[inline(always)]
-fn bound<S: Surface, P: Packet>(p: P, prepared: &S::Prepared, rays: &Rays<P>) -> S::Bound<P> {
-    let mut bound = S::unbound::<P>(p);
-    p.call(Bind::<S, P> {
-        prepared,
-        rays,
-        active: &S::everything(prepared),
-        bound: &mut bound,
-    });
-    bound
-}
 
 /// A surface bound to the rays of one packet, and the count of its evaluations.
 struct OnRays<'a, S: Surface, P: Packet> {

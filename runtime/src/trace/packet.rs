@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::nearest::{collect, keep, segment};
-use super::{Bind, Entries, FirstRoots, OnRays};
+use super::{Entries, FirstRoots, OnRays};
 use crate::beam::{Hint, Rows, Single};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Packet};
@@ -228,23 +228,14 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         let entry = p.lanes(packet.record.entry);
         let rays = Rays::recentred(p, &packet.lines, entry, end);
         self.tile.counts.note(active);
-        p.call(Bind::<S, P> {
-            prepared: self.prepared,
-            rays: &rays,
-            active,
-            bound: &mut self.bound,
-        });
+        let entries = Entries::bind(p, self.prepared, &rays, active, &mut self.bound);
         // A closed form needs no bracket.
-        let closed = self.settings.closed_forms && S::quadric(&self.bound).is_some();
+        let closed = self.settings.closed_forms && S::quadric(entries.bound).is_some();
         let known = known.filter(|_| !closed);
         let single = known.as_ref().map_or(p.none(), |known| known.found);
         self.tile.counts.single += u64::from(p.bits(single).count_ones());
         let mut surface = OnRays {
-            entries: Entries::<S, P> {
-                prepared: self.prepared,
-                bound: &self.bound,
-                rays: &rays,
-            },
+            entries,
             counts: &mut self.tile.counts,
             spent: *spent,
         };

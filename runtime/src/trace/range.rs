@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Entries, bound};
+use super::Entries;
 use crate::camera::Ray;
 use crate::enclosure::{Enclosure, Range};
 use crate::interval::{Interval, Kernel, Packet};
@@ -26,14 +26,10 @@ impl<S: Surface, E: Enclosure> Kernel for RangeAlong<'_, S, E> {
         let entry = p.splat(self.t.lo);
         let length = p.sub_ru(p.splat(self.t.hi), entry);
         let rays = Rays::recentred(p, &Lines::same(self.ray), entry, length);
-        let bound = bound::<S, P>(p, self.prepared, &rays);
-        let entries = Entries::<S, P> {
-            prepared: self.prepared,
-            bound: &bound,
-            rays: &rays,
-        };
+        let (mut bound, active) = (S::unbound::<P>(p), S::everything(self.prepared));
+        let mut entries = Entries::<S, P>::bind(p, self.prepared, &rays, &active, &mut bound);
         let (mut counts, mut spent) = (Evaluations::default(), p.splat(0.0));
-        let mut field = Field::new(p, &entries, &mut counts, &mut spent);
+        let mut field = Field::new(p, &mut entries, &mut counts, &mut spent);
         let over = Interval {
             lo: p.splat(0.0),
             hi: length,

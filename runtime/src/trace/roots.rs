@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Entries, FirstRoots, OnRays, bound};
+use super::{Entries, FirstRoots, OnRays};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::{Lines, Rays, clip};
@@ -54,13 +54,9 @@ impl<S: Surface, C: Contractor> Kernel for AlongRay<'_, S, C> {
             ..Trail::default()
         };
         let rays = Rays::recentred(p, &lines, span.near, length);
-        let bound = bound::<S, P>(p, self.prepared, &rays);
+        let (mut bound, active) = (S::unbound::<P>(p), S::everything(self.prepared));
         let mut surface = OnRays {
-            entries: Entries::<S, P> {
-                prepared: self.prepared,
-                bound: &bound,
-                rays: &rays,
-            },
+            entries: Entries::<S, P>::bind(p, self.prepared, &rays, &active, &mut bound),
             counts: &mut counts,
             spent: p.splat(0.0),
         };

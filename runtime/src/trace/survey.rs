@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Entries, bound};
+use super::Entries;
 use crate::interval::{Interval, Kernel, Packet, Routine};
 use crate::ray::Rays;
 use crate::render::tile::PacketRays;
@@ -91,19 +91,20 @@ impl<S: Surface> Kernel for Survey<'_, S> {
             direction: self.beam.direction.each_ref().map(spread),
             end: p.splat(self.beam.end),
         };
-        let bound = bound::<S, P>(p, self.prepared, &rays);
-        let entries = Entries::<S, P> {
-            prepared: self.prepared,
-            bound: &bound,
-            rays: &rays,
-        };
+        let (mut bound, active) = (S::unbound::<P>(p), S::everything(self.prepared));
+        let mut entries = Entries::<S, P>::bind(p, self.prepared, &rays, &active, &mut bound);
         let pieces = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| eighth(self.beam.end, k));
         let t = Interval {
             lo: p.lanes(pieces.map(|piece| piece.lo)),
             hi: p.lanes(pieces.map(|piece| piece.hi)),
         };
         let mut spent = p.splat(0.0);
-        let mut field = Field::new(p, &entries as &dyn Along<P>, self.counts, &mut spent);
+        let mut field = Field::new(
+            p,
+            &mut entries as &mut dyn Along<P>,
+            self.counts,
+            &mut spent,
+        );
         // One evaluation for all rays of the tile.
         let f = field.value(&t, p.mask(1));
         sides(p, &f)

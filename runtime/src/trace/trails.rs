@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Bind, Entries, FirstRoots, OnRays};
+use super::{Entries, FirstRoots, OnRays};
 use crate::interval::{Interval, Kernel, Packet};
 use crate::ray::Rays;
 use crate::render::tile::PacketRays;
@@ -136,18 +136,8 @@ impl<S: Surface> Kernel for TrailsOfTile<'_, S> {
             if p.any(live) {
                 let end = p.select(live, over.hi, p.splat(-1.0));
                 let rays = Rays::recentred(p, &packet.lines, p.lanes(packet.record.entry), end);
-                p.call(Bind::<S, P> {
-                    prepared: self.prepared,
-                    rays: &rays,
-                    active: &active,
-                    bound: &mut bound,
-                });
                 let mut surface = OnRays {
-                    entries: Entries::<S, P> {
-                        prepared: self.prepared,
-                        bound: &bound,
-                        rays: &rays,
-                    },
+                    entries: Entries::<S, P>::bind(p, self.prepared, &rays, &active, &mut bound),
                     counts: &mut *self.counts,
                     spent: p.splat(0.0),
                 };
@@ -161,12 +151,12 @@ impl<S: Surface> Kernel for TrailsOfTile<'_, S> {
                     &mut lists,
                 );
                 let OnRays {
-                    entries,
+                    mut entries,
                     counts,
                     mut spent,
                 } = surface;
                 let mut sides = Sides {
-                    field: Field::new(p, &entries, counts, &mut spent),
+                    field: Field::new(p, &mut entries, counts, &mut spent),
                     // Elsewhere a certain sign at one place does for a gap without a root.
                     patchy: !S::REPORT.total || S::REPORT.continuity == Continuity::Jumps,
                 };

@@ -241,7 +241,7 @@ impl<F: Formula> Surface for Hand<F> {
         [L::linear(p); 3]
     }
     #[inline(always)]
-    fn bind<P: Packet>(
+    fn bind_leaves<P: Packet>(
         p: P,
         _prepared: &F,
         rays: &Rays<P>,

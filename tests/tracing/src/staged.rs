@@ -105,7 +105,7 @@ impl Surface for Blobs {
         Vec::new()
     }
     #[inline(always)]
-    fn bind<P: Packet>(
+    fn bind_leaves<P: Packet>(
         p: P,
         prepared: &Blobs,
         rays: &Rays<P>,
@@ -280,7 +280,7 @@ impl Surface for Ball {
         L::quadratic(p)
     }
     #[inline(always)]
-    fn bind<P: Packet>(
+    fn bind_leaves<P: Packet>(
         p: P,
         prepared: &Interval,
         rays: &Rays<P>,

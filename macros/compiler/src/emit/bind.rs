@@ -12,7 +12,7 @@ use quote::quote;
 use std::collections::HashMap;
 
 impl Compiled<'_> {
-    /// `unbound` and `bind`: the ray stage.
+    /// `unbound`, `bind_leaves` and `bind_series`: the ray stage.
     pub fn bind(&self) -> TokenStream {
         let top = self.bind_scope(Scope::default());
         let linear = Literal::usize_unsuffixed(self.layout.top.linear.len());
@@ -43,7 +43,7 @@ impl Compiled<'_> {
             }
 
             #[inline(always)]
-            fn bind<P: __zeroset::Packet>(
+            fn bind_leaves<P: __zeroset::Packet>(
                 a: P,
                 prepared: &Self::Prepared,
                 rays: &__zeroset::Rays<P>,
@@ -55,8 +55,9 @@ impl Compiled<'_> {
                 #top
                 #before
                 #(#rows)*
-                #polynomials
             }
+
+            #polynomials
         }
     }
 
@@ -205,9 +206,17 @@ impl Compiled<'_> {
         );
         let places = (0..values.len()).map(|k| self.layout.polynomial(k));
         quote! {
-            let (half, middle) = rays.middle(a);
-            #body
-            #(#places = __zeroset::Polynomial::new(a, half, &#values);)*
+            #[inline(always)]
+            fn bind_series<P: __zeroset::Packet>(
+                a: P,
+                prepared: &Self::Prepared,
+                rays: &__zeroset::Rays<P>,
+                bound: &mut Self::Bound<P>,
+            ) {
+                let (half, middle) = rays.middle(a);
+                #body
+                #(#places = __zeroset::Polynomial::new(a, half, &#values);)*
+            }
         }
     }
 }

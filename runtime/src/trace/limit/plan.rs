@@ -1,7 +1,7 @@
 //! Which evaluations prove a picture, found beforehand and without hurry.
 
+use super::super::Entries;
 use super::super::beams::{OverGroup, WithBeams};
-use super::super::{Bind, Entries};
 use super::{Counts, compiled};
 use crate::beam::{Bundle, Findings, Grid, Group, Hint, Request, Rows, Scout};
 use crate::interval::{Interval, Kernel, Packet};
@@ -206,17 +206,7 @@ impl<S: Surface, P: Packet> Maker<'_, '_, S, P> {
         let near = near && seen.passing == 0;
         let active = if near { &rows.near } else { &rows.all };
         let rays = Rays::recentred(p, &packet.lines, p.lanes(entry), p.lanes(packet.limit));
-        p.call(Bind::<S, P> {
-            prepared: self.make.prepared,
-            rays: &rays,
-            active,
-            bound: self.bound,
-        });
-        let field = Entries::<S, P> {
-            prepared: self.make.prepared,
-            bound: self.bound,
-            rays: &rays,
-        };
+        let mut field = Entries::<S, P>::bind(p, self.make.prepared, &rays, active, self.bound);
         let front = p.sub_rd(p.splat(hint.front), p.lanes(entry));
         let front = p.max_f(front, p.splat(0.0));
         let root = Interval {
@@ -224,14 +214,14 @@ impl<S: Surface, P: Packet> Maker<'_, '_, S, P> {
             hi: p.lanes(seen.root[1]),
         };
         let hits = p.mask(seen.hits);
-        let (around, monotone) = around(p, &field, p.min_f(front, root.lo), &root, hits);
+        let (around, monotone) = around(p, &mut field, p.min_f(front, root.lo), &root, hits);
         let way = Interval {
             lo: front,
             hi: around,
         };
         let plan = &mut *self.make.plan;
         let first = plan.pieces.len();
-        let covered = cover(p, &field, &way, p.and(hits, monotone), &mut plan.pieces);
+        let covered = cover(p, &mut field, &way, p.and(hits, monotone), &mut plan.pieces);
         let proved = p.bits(covered);
         let ways = first..plan.pieces.len();
         let rest = Interval {
@@ -239,7 +229,7 @@ impl<S: Surface, P: Packet> Maker<'_, '_, S, P> {
             hi: p.lanes(packet.limit),
         };
         let passing = p.and(p.mask(seen.passing), p.le(front, rest.hi));
-        let passed = cover(p, &field, &rest, passing, &mut plan.pieces);
+        let passed = cover(p, &mut field, &rest, passing, &mut plan.pieces);
         plan.counts.hits += u64::from(proved.count_ones());
         plan.counts.left += u64::from((seen.hits & !proved).count_ones());
         plan.counts.left += u64::from((p.bits(passing) & !p.bits(passed)).count_ones());
@@ -301,12 +291,12 @@ impl Seen {
 /// The longest piece before each root on which f is monotone up to it: where that begins, and the lanes that have one.
 fn around<P: Packet>(
     p: P,
-    field: &dyn Along<P>,
+    field: &mut dyn Along<P>,
     front: P::F,
     root: &Interval<P::F>,
     hits: P::M,
 ) -> (P::F, P::M) {
-    let monotone = |lo: P::F, lanes: P::M| {
+    let mut monotone = |lo: P::F, lanes: P::M| {
         let f = field.slope(p, &Interval { lo, hi: root.hi });
         p.and(differentiable(p, &f.flags, lanes), nonzero(p, &f.d[1]))
     };
@@ -353,12 +343,12 @@ fn around<P: Packet>(
 /// The fewest pieces that cover the ways, each as long as f over it excludes a root; the lanes that are covered.
 fn cover<P: Packet>(
     p: P,
-    field: &dyn Along<P>,
+    field: &mut dyn Along<P>,
     way: &Interval<P::F>,
     lanes: P::M,
     pieces: &mut Vec<Bounds>,
 ) -> P::M {
-    let free = |lo: P::F, hi: P::F, lanes: P::M| {
+    let mut free = |lo: P::F, hi: P::F, lanes: P::M| {
         let f = field.value(p, &Interval { lo, hi });
         excluded(p, &f.d[0], &f.flags, lanes)
     };

@@ -1,8 +1,8 @@
 //! The evaluations of a plan once more, and nothing else: this is timed.
 
+use super::super::Entries;
 use super::super::beams::{OverGroup, WithBeams};
 use super::super::normals::{Gradient, points};
-use super::super::{Bind, Entries};
 use super::plan::{OfPacket, Plan};
 use super::{Part, compiled};
 use crate::beam::{Bundle, Group};
@@ -70,22 +70,13 @@ impl<S: Surface> Replay<'_, S> {
             packet.enter(p, of.inside, self.beams.space.domain);
             let (entry, limit) = (p.lanes(packet.record.entry), p.lanes(packet.limit));
             let rays = Rays::recentred(p, &packet.lines, entry, limit);
-            p.call(Bind::<S, P> {
-                prepared: self.prepared,
-                rays: &rays,
-                active: &self.plan.actives[of.active],
-                bound: &mut bound,
-            });
-            let field = Entries::<S, P> {
-                prepared: self.prepared,
-                bound: &bound,
-                rays: &rays,
-            };
+            let active = &self.plan.actives[of.active];
+            let mut field = Entries::<S, P>::bind(p, self.prepared, &rays, active, &mut bound);
             if self.upto >= Part::Ways {
-                failed += self.free(p, &field, p.mask(of.hits), of.ways.clone());
+                failed += self.free(p, &mut field, p.mask(of.hits), of.ways.clone());
             }
             if self.upto >= Part::Ends && of.hits != 0 {
-                failed += ends(p, &field, of);
+                failed += ends(p, &mut field, of);
             }
             if self.upto >= Part::Gradients && of.hits != 0 {
                 (packet.record.lo, packet.record.hi) = (of.root[0], of.root[1]);
@@ -98,7 +89,7 @@ impl<S: Surface> Replay<'_, S> {
                 std::hint::black_box(p.to_array(f[1]));
             }
             if passing {
-                failed += self.free(p, &field, p.mask(of.passed), of.passing.clone());
+                failed += self.free(p, &mut field, p.mask(of.passed), of.passing.clone());
             }
         }
         failed
@@ -109,7 +100,7 @@ impl<S: Surface> Replay<'_, S> {
     fn free<P: Packet>(
         &self,
         p: P,
-        field: &Entries<S, P>,
+        field: &mut Entries<S, P>,
         lanes: P::M,
         pieces: std::ops::Range<usize>,
     ) -> u64 {
@@ -131,7 +122,7 @@ impl<S: Surface> Replay<'_, S> {
 /// f at both ends of the roots' intervals, and its slope around them. (How wide f is at an end may hide its sign: the
 /// render has seen to that with the slope, and it is not counted.)
 #[inline(always)]
-fn ends<S: Surface, P: Packet>(p: P, field: &Entries<S, P>, of: &OfPacket) -> u64 {
+fn ends<S: Surface, P: Packet>(p: P, field: &mut Entries<S, P>, of: &OfPacket) -> u64 {
     let [lo, hi] = of.root.map(|x| p.lanes(x));
     let signs = [lo, hi].map(|t| nonzero(p, &field.point(p, &At(t)).d[0]));
     std::hint::black_box(p.bits(p.and(signs[0], signs[1])));
