@@ -1,6 +1,6 @@
 //! Elementary functions on every back-end against brackets by arb.
 
-use zeroset::interval::{Arithmetic, Interval, Isa, Kernel, Packet, UNPROVED};
+use zeroset::interval::{Interval, Isa, Kernel, Packet, UNPROVED};
 use zeroset_enclosures::backend::{Backend, Operands, Outcome};
 use zeroset_enclosures::fixture::{Bracket, brackets};
 use zeroset_enclosures::operand::Source;
