@@ -125,7 +125,7 @@ pub trait Surface: Send + Sync {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10>;
-    /// The formula's leaf, if the whole formula is of degree ≤ 2: its roots are then found in closed form.
+    /// The leaf that is all of the formula with the active rows, if it is of degree ≤ 2: its roots are then found in closed form.
     fn quadric<P: Packet>(_bound: &Self::Bound<P>) -> Option<&crate::interval::Quadratic<P>> {
         None
     }

@@ -188,6 +188,27 @@ impl Layout {
         Some((place, *quadratic))
     }
 
+    /// An option of a reference to a quadratic leaf: there is one if it stands in no loop, or in one with a single row.
+    pub fn only_leaf(&self, leaf: usize) -> Option<TokenStream> {
+        let (scope, quadratic, index) = self.leaves.get(leaf)?;
+        let index = Literal::usize_unsuffixed(*index);
+        if !*quadratic || scope.folds().count() > 1 {
+            return None;
+        }
+        Some(match self.row(*scope) {
+            None => quote!(__zeroset::Option::Some(&bound.1[#index])),
+            Some(k) => {
+                let rows = self.bound_rows(k);
+                quote! {
+                    match #rows.as_slice() {
+                        [row] => __zeroset::Option::Some(&row.1[#index]),
+                        _ => __zeroset::Option::None,
+                    }
+                }
+            }
+        })
+    }
+
     fn row(&self, scope: Scope) -> Option<usize> {
         self.rows.iter().position(|r| r.0 == scope)
     }

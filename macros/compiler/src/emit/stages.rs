@@ -5,6 +5,7 @@ use super::enclosure::{Enclosure, Stage, Value};
 use super::layout::Layout;
 use crate::graph::{Graph, Id, Op, Scope};
 use crate::stage::Staged;
+use crate::tree::FoldKind;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
@@ -223,22 +224,25 @@ impl Compiled<'_> {
         )
     }
 
-    /// `quadric`: the leaf that is the whole formula, if there is one.
+    /// `quadric`: the leaf that is the whole formula, or the whole body of a minimum or maximum of which one row is left.
     pub fn quadric(&self) -> TokenStream {
-        let whole = self
-            .staged
-            .leaves
-            .first()
-            .filter(|l| l.quadratic && l.node == self.root);
-        if whole.is_none() {
+        let whole = match self.graph.op(self.root) {
+            Op::Fold(FoldKind::Minimum | FoldKind::Maximum, _, body) => body.first().copied(),
+            _ => Some(self.root),
+        };
+        let leaves = &self.staged.leaves;
+        let leaf = leaves
+            .iter()
+            .position(|l| l.quadratic && Some(l.node) == whole);
+        let Some(code) = leaf.and_then(|leaf| self.layout.only_leaf(leaf)) else {
             return TokenStream::new();
-        }
+        };
         quote! {
             #[inline(always)]
             fn quadric<P: __zeroset::Packet>(
                 bound: &Self::Bound<P>,
             ) -> __zeroset::Option<&__zeroset::Quadratic<P>> {
-                __zeroset::Option::Some(&bound.1[0])
+                #code
             }
         }
     }
