@@ -145,8 +145,8 @@ for the last ray to be right, or no number of steps suffices, it is ahead.
 
 The doubled sphere has no change of sign: each of its two sheets is proved by the second derivative and by looks in twice the
 precision, in which more than half of the time goes; the others stop where |f| is small, and prove nothing. On the thin shell both
-sheets lie in one piece of a beam, so that each ray searches for itself; of Scherk's surface a march of few steps happens to
-see all roots.
+sheets lie in one piece of a beam, so that each ray searches for itself; of Scherk's surface and of the gyroid a march of few steps
+happens to see all roots.
 "
     )
 }
