@@ -140,3 +140,21 @@ fn a_leaf_is_not_another_round_s() {
     let value = graph.text(&[("f", staged.jet[0].unwrap())]);
     assert!(value.contains("max") && value.contains("exp"), "{value}");
 }
+
+/// Derivatives need a cosine of what f needs a sine of. A sine alone stays one, and so do those of different nodes.
+#[test]
+fn a_sine_and_the_cosine_of_the_same_node_are_one_operation() {
+    let code = |formula: &str| {
+        let source = format!("zeroset struct F; {formula}");
+        zeroset_compiler::expand(source.parse().unwrap()).to_string()
+    };
+    let count = |code: &str, call: &str| code.matches(call).count();
+    let both = code("sin(x)*cos(y) + sin(y)*cos(x)");
+    assert!(count(&both, "a . sin_cos (") > 0, "{both}");
+    assert_eq!(count(&both, "a . sin ("), 0, "{both}");
+    let apart = code("sin(x) + cos(2*x) + z^3");
+    let value = apart.split("fn value").nth(1).unwrap();
+    let value = value.split("fn ").next().unwrap();
+    assert_eq!(count(value, "a . sin_cos ("), 0, "{value}");
+    assert_eq!(count(value, "a . sin ("), 1, "{value}");
+}
