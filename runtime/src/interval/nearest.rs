@@ -91,9 +91,9 @@ impl<P: Packet> Arithmetic for Nearest<P> {
         recip(a: P::F) -> (P::F, Flags<P>) = p => (p.div_rn(p.splat(1.0), a), Flags::none(p));
         sqrt(a: P::F) -> (P::F, Flags<P>) = p => (p.sqrt_rn(a), Flags::none(p));
         ln(a: P::F) -> (P::F, Flags<P>) = p => (functions::ln::anywhere(p, a), Flags::none(p));
-        sin(a: P::F) -> P::F = p => functions::circular::anywhere(p, a, 0.0);
-        cos(a: P::F) -> P::F = p => functions::circular::anywhere(p, a, 1.0);
-        sin_cos(a: P::F) -> [P::F; 2] = p => functions::circular::both_anywhere(p, a);
+        sin(a: P::F) -> P::F = p => functions::circular::anywhere(p, a)[0];
+        cos(a: P::F) -> P::F = p => functions::circular::anywhere(p, a)[1];
+        sin_cos(a: P::F) -> [P::F; 2] = p => functions::circular::anywhere(p, a);
         tan(a: P::F) -> (P::F, Flags<P>) = p => (functions::tangent::near(p, a), Flags::none(p));
         asin(a: P::F) -> (P::F, Flags<P>) = p =>
             (functions::arcsine::near_sine(p, a), Flags::none(p));

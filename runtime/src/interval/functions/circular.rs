@@ -93,6 +93,11 @@ fn waves<P: Lanes, const N: usize>(
 /// An interval of less than this part of its middle is hardly more than a point.
 const THIN: f64 = 1.0 / (1u64 << 40) as f64;
 
+/// By how many units in the last place a computed sine may err.
+const fn steps<P: Lanes>() -> u32 {
+    if P::FUSED { 1 } else { 2 }
+}
+
 /// Over middle ± radius: sin(m + δ) = sin m + δ·cos ξ, |cos ξ| ≤ |cos m| + |δ|. The computed cosine errs by less than
 /// 2⁻⁵².
 #[inline(always)]
@@ -105,7 +110,7 @@ fn thin_waves<P: Lanes, const N: usize>(
     let sums = sums(p, middle);
     let more = p.add_ru(radius, p.splat(f64::EPSILON));
     let exact = p.eq(radius, p.splat(0.0));
-    let steps = if P::FUSED { 1 } else { 2 };
+    let steps = steps::<P>();
     let mut waves = [Interval {
         lo: radius,
         hi: radius,
@@ -162,7 +167,7 @@ fn waves_of<P: Lanes, const N: usize>(
 ) -> [Interval<P::F>; N] {
     let (first, last) = (sums(p, &start), sums(p, &end));
     let wide = p.le(p.splat(6.25), p.sub_ru(a.hi, a.lo));
-    let steps = if P::FUSED { 1 } else { 2 };
+    let steps = steps::<P>();
     let mut waves = [*a; N];
     let mut i = 0;
     while i < N {
@@ -205,17 +210,9 @@ fn extrema<P: Lanes>(
     ]
 }
 
-/// The sine of x + `quarters`·π/2 to a few units in the last place; NaN of NaN.
-#[inline(always)]
-pub fn anywhere<P: Lanes>(p: P, x: P::F, quarters: f64) -> P::F {
-    let reduced = reduce(p, x);
-    let sine = sine_of(p, reduced.k, sums(p, &reduced), quarters);
-    p.select(p.eq(x, x), sine, x)
-}
-
 /// The sine and cosine of x to a few units in the last place; NaN of NaN.
 #[inline(always)]
-pub fn both_anywhere<P: Lanes>(p: P, x: P::F) -> [P::F; 2] {
+pub fn anywhere<P: Lanes>(p: P, x: P::F) -> [P::F; 2] {
     let reduced = reduce(p, x);
     let (sums, known) = (sums(p, &reduced), p.eq(x, x));
     [
