@@ -108,8 +108,8 @@ pub trait Surface: Send + Sync {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 4>;
-    /// As [`gradient`](Self::gradient), from the active rows alone: what the others add is not in it. So it is no enclosure
-    /// where any are left out.
+    /// As [`gradient`](Self::gradient), from the active rows. f holds what the others add; its gradient does not, and is no
+    /// enclosure where any are left out.
     #[inline(always)]
     fn seen<A: Arithmetic>(
         a: A,

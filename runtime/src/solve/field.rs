@@ -21,6 +21,8 @@ pub(crate) trait Along<P: Packet> {
     fn float(&self, p: P, t: &At<P::F>) -> [P::F; 2];
     /// f and its gradient at a point of space in twice the precision.
     fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>);
+    /// f from the active rows and what the others add, if there are any others.
+    fn fine_value(&self, point: &[Ball; 3]) -> Option<(Ball, Flags<Scalar>)>;
 }
 
 /// f along the rays of one packet, counted.

@@ -1,7 +1,7 @@
 //! One exact ray in twice the precision.
 
 use super::Along;
-use crate::interval::{Arithmetic, Ball, Interval, Lanes, Packet, Scalar};
+use crate::interval::{Arithmetic, Ball, Flags, Interval, Lanes, Packet, Scalar};
 
 /// What is found out about a piece with one critical point and roots on both sides of it, if at all.
 pub(super) enum Turn {
@@ -25,6 +25,11 @@ pub(super) struct Line<'a, P: Packet> {
     pub looks: u64,
 }
 
+/// Is f certainly defined and continuous?
+fn continuous(flags: &Flags<Scalar>) -> bool {
+    !(flags.empty || flags.undefined || flags.jump)
+}
+
 impl<P: Packet> Line<'_, P> {
     /// f and f' at `t`, if f is certainly defined and continuous there.
     fn at(&mut self, t: f64) -> Option<[Interval; 2]> {
@@ -34,11 +39,21 @@ impl<P: Packet> Line<'_, P> {
     /// The same over a ball of parameters of the ray as given.
     fn over(&mut self, t: Ball) -> Option<[Interval; 2]> {
         self.looks += 1;
-        let point = [0, 1, 2].map(|k| t.along(self.origin[k], self.direction[k]));
-        let ([f, gradient @ ..], flags) = self.along.fine(&point);
-        let defined = !(flags.empty || flags.undefined || flags.jump);
+        let ([f, gradient @ ..], flags) = self.along.fine(&self.point(t));
         let slope = Ball::dot(&gradient, &self.direction);
-        defined.then_some([f.interval(), slope.interval()])
+        continuous(&flags).then_some([f.interval(), slope.interval()])
+    }
+
+    /// f at `t` by the active rows, if there are others.
+    fn near(&mut self, t: f64) -> Option<Interval> {
+        let point = self.point(Ball::sum(self.entry, t));
+        let (f, flags) = self.along.fine_value(&point)?;
+        self.looks += 1;
+        continuous(&flags).then(|| f.interval())
+    }
+
+    fn point(&self, t: Ball) -> [Ball; 3] {
+        [0, 1, 2].map(|k| t.along(self.origin[k], self.direction[k]))
     }
 
     /// The sign of f at `t`, if it is certain.
@@ -62,11 +77,11 @@ impl<P: Packet> Line<'_, P> {
 
     /// The Newton image of a piece that holds one root and over which f' is enclosed, intersected with the piece: by the
     /// mean value theorem the root is in c − f(c)/f'. What remains is in proportion to the square of the piece's width, so
-    /// that one image leaves an ulp or two. Nothing where f' may be 0.
-    pub fn image(&mut self, t: &Interval, slope: &Interval) -> Option<Interval> {
+    /// that one image leaves an ulp or two. Nothing where f' may be 0, and nothing by the active rows if they are all.
+    pub fn image(&mut self, t: &Interval, slope: &Interval, near: bool) -> Option<Interval> {
         let p = Scalar;
         let c = t.lo + 0.5 * (t.hi - t.lo);
-        let [f, _] = self.at(c)?;
+        let f = if near { self.near(c)? } else { self.at(c)?[0] };
         let (step, _) = p.div(f, *slope);
         let lo = p.sub_rd(c, step.hi).max(t.lo);
         let hi = p.sub_ru(c, step.lo).min(t.hi);

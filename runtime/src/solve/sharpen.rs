@@ -26,8 +26,10 @@ pub(crate) struct Second<'b, P: Packet> {
     pub entry: P::F,
     /// Where the search ends.
     pub end: P::F,
-    /// Bit i is set if the interval of ray i's root is too wide.
+    /// Bit i is set if the interval of ray i's root is too wide, …
     pub wide: u8,
+    /// … that is, wider than this.
+    pub goal: P::F,
     /// May events be decided by the second derivative?
     pub bends: bool,
     /// Evaluations that one ray may take.
@@ -90,25 +92,42 @@ impl<P: Packet> Second<'_, P> {
         spent + LOOKS <= f64::from(self.budget)
     }
 
-    /// Newton images while each at least halves a root's interval; what is wide then is bisected.
+    /// One image by the active rows where that is enough, else by all.
     fn roots(&mut self, t: &mut Interval<P::F>) {
         let p = self.field.p;
-        let mut open = self.wide;
         let mut roots = ends(p, t);
+        let (goals, slopes) = (p.to_array(self.goal), self.slopes(t, self.wide));
+        for lane in lanes(self.wide) {
+            let image = slopes[lane]
+                .and_then(|d| self.on(lane, |line| line.image(&roots[lane], &d, true)))
+                .filter(|t| t.width() <= goals[lane]);
+            if let Some(image) = image {
+                roots[lane] = image;
+                self.wide &= !(1 << lane);
+            }
+        }
+        self.all_rows(&mut roots);
+        *t = packet(p, &roots);
+    }
+
+    /// Newton images while each at least halves a root's interval; what is wide then is bisected.
+    fn all_rows(&mut self, roots: &mut [Interval; 8]) {
+        let p = self.field.p;
+        let mut open = self.wide;
         for _ in 0..4 {
-            let slopes = self.slopes(&packet(p, &roots), open);
+            if open == 0 {
+                break;
+            }
+            let slopes = self.slopes(&packet(p, roots), open);
             for lane in lanes(open) {
                 let before = roots[lane];
                 let image =
-                    slopes[lane].and_then(|d| self.on(lane, |line| line.image(&before, &d)));
+                    slopes[lane].and_then(|d| self.on(lane, |line| line.image(&before, &d, false)));
                 roots[lane] = image.unwrap_or(before);
                 let halved = roots[lane].width() <= 0.5 * before.width();
                 if !halved || is_narrow(&roots[lane]) {
                     open &= !(1 << lane);
                 }
-            }
-            if open == 0 {
-                break;
             }
         }
         for lane in lanes(self.wide) {
@@ -117,7 +136,6 @@ impl<P: Packet> Second<'_, P> {
                 roots[lane] = self.on(lane, |line| line.bisect(wide));
             }
         }
-        *t = packet(p, &roots);
     }
 
     /// f' over the segments of some rays, where it may be used and is not 0.

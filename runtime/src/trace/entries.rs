@@ -12,6 +12,7 @@ pub(crate) struct Entries<'a, S: Surface, P: Packet> {
     prepared: &'a S::Prepared,
     pub bound: &'a mut S::Bound<P>,
     rays: &'a Rays<P>,
+    active: &'a Active,
     /// What only segments need is bound when the first is looked at: many rays need none.
     whole: bool,
 }
@@ -23,7 +24,7 @@ impl<'a, S: Surface, P: Packet> Entries<'a, S, P> {
         p: P,
         prepared: &'a S::Prepared,
         rays: &'a Rays<P>,
-        active: &Active,
+        active: &'a Active,
         bound: &'a mut S::Bound<P>,
     ) -> Self {
         p.call(Leaves::<S, P> {
@@ -36,6 +37,7 @@ impl<'a, S: Surface, P: Packet> Entries<'a, S, P> {
             prepared,
             bound,
             rays,
+            active,
             whole: false,
         }
     }
@@ -160,7 +162,16 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
     }
 
     fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>) {
-        fine_in_space::<S>(self.prepared, point)
+        fine_in_space::<S>(self.prepared, &S::everything(self.prepared), point)
+    }
+
+    fn fine_value(&self, point: &[Ball; 3]) -> Option<(Ball, Flags<Scalar>)> {
+        let everything = S::everything(self.prepared);
+        let fewer = !self.active.by_sign && self.active.is_less_than(&everything);
+        fewer.then(|| {
+            let ([f, ..], flags) = fine_in_space::<S>(self.prepared, self.active, point);
+            (f, flags)
+        })
     }
 }
 
@@ -178,9 +189,10 @@ fn in_space<S: Surface>(prepared: &S::Prepared, point: &[Interval; 3]) -> Jet<In
 #[inline(never)]
 fn fine_in_space<S: Surface>(
     prepared: &S::Prepared,
+    active: &Active,
     point: &[Ball; 3],
 ) -> ([Ball; 4], Flags<Scalar>) {
-    let f = S::gradient(Fine, prepared, *point);
+    let f = S::seen(Fine, prepared, active, *point);
     (f.d, f.flags)
 }
 

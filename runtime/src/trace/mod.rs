@@ -95,6 +95,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
                 entry: self.entry,
                 end: self.over.hi,
                 wide: p.bits(wide),
+                goal,
                 bends: self.solver.bends,
                 budget: self.settings.budget,
                 events: self.events,

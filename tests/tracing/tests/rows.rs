@@ -5,14 +5,23 @@ use std::mem::discriminant;
 use glam::DVec3;
 use zeroset::camera::Camera;
 use zeroset::implicit;
-use zeroset::interval::Isa;
+use zeroset::interval::{Ball, Fine, Interval, Isa};
 use zeroset::render::{Options, render};
 use zeroset::scene::Scene;
+use zeroset::surface::Surface;
 use zeroset::verdict::Verdict;
 
 implicit! {
     struct Blobs { rows: [[f64; 4]] }
     0.5 = sum([cx, cy, cz, s] in rows) { exp(-s*((x - cx)^2 + (y - cy)^2 + (z - cz)^2)) }
+}
+
+// The first sum is inside of a leaf: it needs all rows where the second, in the same loop, does not.
+implicit! {
+    struct Dale { rows: [[f64; 4]] }
+    let bowl = sum([cx, cy, cz, _s] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 };
+    let blobs = sum([cx, cy, cz, s] in rows) { exp(-s*((x - cx)^2 + (y - cy)^2 + (z - cz)^2)) };
+    bowl/100 - 0.5 = blobs/2
 }
 
 implicit! {
@@ -106,6 +115,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
     let within = |scene: Scene| scene.within([-1.0; 3], [1.0; 3]);
     vec![
         ("blobs", within(Scene::new().with(Blobs { rows: rows(48) }))),
+        ("dale", within(Scene::new().with(Dale { rows: rows(48) }))),
         ("balls", within(Scene::new().with(Balls { rows: rows(48) }))),
         ("gem", within(Scene::new().with(Gem { rows: rows(48) }))),
         ("part", within(Scene::new().with(Part))),
@@ -220,4 +230,38 @@ fn rows_left_out_change_no_verdict() {
             );
         }
     }
+}
+
+/// f at a point from the first half of its rows, and from all of them.
+fn halved<S: Surface>(surface: &S, rest: Interval) -> [Interval; 2] {
+    let prepared = surface.prepare();
+    let mut active = S::everything(&prepared);
+    let all = active.rows[0].len();
+    active.rows[0].truncate(all / 2);
+    active.rest.iter_mut().for_each(|of| of.all = rest);
+    let point = [0.1, -0.2, 0.3].map(|x| Ball::sum(x, 0.0));
+    [
+        S::seen(Fine, &prepared, &active, point),
+        S::gradient(Fine, &prepared, point),
+    ]
+    .map(|f| f.d[0].interval())
+}
+
+#[test]
+fn what_is_seen_holds_what_other_rows_add() {
+    let (rows, nothing) = (rows(48), Interval { lo: 0.0, hi: 0.0 });
+    let some = Interval { lo: 0.0, hi: 24.0 };
+    let (blobs, dale) = (Blobs { rows: rows.clone() }, Dale { rows });
+    for halved in [halved(&blobs, some), halved(&dale, some)] {
+        let [seen, f] = halved;
+        assert!(seen.lo <= f.lo && f.hi <= seen.hi, "{seen:?}, {f:?}");
+    }
+    let [seen, f] = halved(&blobs, nothing);
+    assert!(
+        f.hi < seen.lo || seen.hi < f.lo,
+        "the control: {seen:?}, {f:?}"
+    );
+    // All rows are visited, so nothing is added.
+    let [seen, f] = halved(&dale, nothing);
+    assert_eq!((seen.lo, seen.hi), (f.lo, f.hi));
 }

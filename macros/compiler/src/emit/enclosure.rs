@@ -21,7 +21,7 @@ pub enum Stage {
     Segment,
     /// At points of space: surface values, coordinates, all rows.
     Space,
-    /// The same with the active rows.
+    /// The same with the active rows, where these may be fewer.
     Seen,
 }
 
@@ -186,9 +186,10 @@ impl Target for Enclosure<'_> {
         match self.stage {
             Stage::Surface => enter_fields(self.graph, self.fields, fold),
             Stage::Segment => enter_rows(self.graph, self.layout, fold, scope, Visit::Bound),
-            Stage::Seen => enter_rows(self.graph, self.layout, fold, scope, Visit::Active),
-            Stage::Space => {
-                let (header, start) = enter_rows(self.graph, self.layout, fold, scope, Visit::All);
+            Stage::Space | Stage::Seen => {
+                let thin = self.stage == Stage::Seen && self.layout.terms.thins_in_space(fold);
+                let visit = if thin { Visit::Active } else { Visit::All };
+                let (header, start) = enter_rows(self.graph, self.layout, fold, scope, visit);
                 let fine = enter_fine_rows(self.layout, fold, scope);
                 (header, quote!(#start #fine))
             }
@@ -204,10 +205,16 @@ impl Target for Enclosure<'_> {
         let name = variable(id);
         let names: Vec<&Ident> = args.iter().map(|v| &v.name).collect();
         let (mut declare, mut update) = accumulator(&name, fold.0, fold.1, &names);
-        if self.stage == Stage::Segment
-            && let Some(rest) = self.layout.terms.rest(id)
-        {
-            declare = quote!(let mut #name = a.constant(bound.2.rest(#rest, t.rough())););
+        let terms = &self.layout.terms;
+        let rest = match self.stage {
+            Stage::Segment => terms.rest(id).map(|k| quote!(bound.2.rest(#k, t.rough()))),
+            Stage::Seen => terms
+                .rest_in_space(id)
+                .map(|k| quote!(active.rest(#k, false))),
+            Stage::Surface | Stage::Space => None,
+        };
+        if let Some(rest) = rest {
+            declare = quote!(let mut #name = a.constant(#rest););
         }
         let choosing = matches!(fold.0, FoldKind::Minimum | FoldKind::Maximum) && args.len() > 1;
         let any = choosing || args.iter().any(|v| v.flags.is_some());

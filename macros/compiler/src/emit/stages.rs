@@ -156,7 +156,8 @@ impl Compiled<'_> {
         }
     }
 
-    /// `seen`: the gradient from the active rows, where rows can be left out.
+    /// `seen`: f with the active rows and what the others add, and its gradient from the active rows alone, where rows can be
+    /// left out.
     pub fn seen(&self) -> TokenStream {
         if self.layout.terms.is_empty() {
             return TokenStream::new();

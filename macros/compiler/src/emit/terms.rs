@@ -21,11 +21,15 @@ pub struct Terms {
     extremes: Vec<Extreme>,
     /// The folds, among the outermost.
     lists: Vec<usize>,
+    /// Those of them that may visit fewer rows in space, too.
+    in_space: Vec<usize>,
 }
 
 #[derive(Debug)]
 struct Sum {
     id: Id,
+    /// The same sum in space, if it is one of f.
+    in_space: Option<Id>,
     fold: usize,
     term: Id,
 }
@@ -60,13 +64,33 @@ impl Terms {
         (outermost, signs): (&[usize], &Signs),
         ready: impl Fn(Id) -> bool,
     ) -> Terms {
-        let all = folds(graph, staged, ready);
+        let along = staged.jet.iter().flatten();
+        let along: Vec<Id> = along.chain(staged.over.iter().flatten()).copied().collect();
+        let root: Vec<Id> = staged.root.into_iter().collect();
+        let [all, in_space] = [along, root].map(|roots| folds(graph, &roots, &ready));
         let mut terms = Terms::default();
         for &fold in outermost {
-            let here = || all.iter().filter(|id| over(graph, **id, fold));
-            if here().count() > 0 && here().all(|id| may_leave_out(graph, *id)) {
+            let [here, there] = [&all, &in_space].map(|folds| {
+                let same = folds.iter().filter(|id| over(graph, **id, fold));
+                same.copied().collect::<Vec<Id>>()
+            });
+            if !here.is_empty() && here.iter().all(|id| may_leave_out(graph, *id)) {
                 terms.lists.push(fold);
-                here().for_each(|id| terms.add(graph, *id));
+                here.iter().for_each(|id| terms.add(graph, *id));
+                // A sum that is inside of a leaf along rays needs all rows, where others of the same loop do not.
+                let images = there.iter().map(|id| staged.image(*id));
+                if images
+                    .clone()
+                    .all(|image| image.is_some_and(|id| here.contains(&id)))
+                {
+                    terms.in_space.push(fold);
+                }
+                for (id, image) in there.iter().zip(images) {
+                    let mut sums = terms.sums.iter_mut();
+                    if let Some(sum) = sums.find(|sum| Some(sum.id) == image) {
+                        sum.in_space = Some(*id);
+                    }
+                }
             }
         }
         for extreme in &mut terms.extremes {
@@ -86,7 +110,12 @@ impl Terms {
             return;
         };
         if *kind == FoldKind::Sum {
-            self.sums.push(Sum { id, fold, term });
+            self.sums.push(Sum {
+                id,
+                in_space: None,
+                fold,
+                term,
+            });
         } else if !self.extremes.iter().any(|known| known.is(graph, id)) {
             self.extremes.push(Extreme {
                 fold,
@@ -111,6 +140,18 @@ impl Terms {
     pub fn rest(&self, id: Id) -> Option<Literal> {
         let place = self.sums.iter().position(|s| s.id == id);
         place.map(Literal::usize_unsuffixed)
+    }
+
+    /// The same for a sum in space.
+    pub fn rest_in_space(&self, id: Id) -> Option<Literal> {
+        let of = |s: &Sum| s.in_space == Some(id) && self.in_space.contains(&s.fold);
+        let place = self.sums.iter().position(of);
+        place.map(Literal::usize_unsuffixed)
+    }
+
+    /// May a loop visit fewer rows in space?
+    pub fn thins_in_space(&self, fold: usize) -> bool {
+        self.in_space.contains(&fold)
     }
 
     /// The body of the function `terms`: a loop for each of the folds, and the choices that are open.
@@ -211,14 +252,9 @@ fn may_leave_out(graph: &Graph, id: Id) -> bool {
         && graph.info(id).scope == Scope::default()
 }
 
-/// All folds that code over segments runs.
-fn folds(graph: &Graph, staged: &Staged, ready: impl Fn(Id) -> bool) -> Vec<Id> {
-    let written = staged.jet.iter().flatten();
-    let roots: Vec<Id> = written
-        .chain(staged.over.iter().flatten())
-        .copied()
-        .collect();
-    let mut all = graph.reachable(&roots, &ready);
+/// All folds that the code for these nodes runs.
+fn folds(graph: &Graph, roots: &[Id], ready: &impl Fn(Id) -> bool) -> Vec<Id> {
+    let mut all = graph.reachable(roots, ready);
     all.retain(|id| !ready(*id) && matches!(graph.op(*id), Op::Fold(..)));
     all
 }

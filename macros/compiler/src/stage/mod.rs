@@ -26,10 +26,14 @@ pub struct Leaf {
 pub struct Staged {
     form: Form,
     survey: Survey,
+    /// f in space.
+    pub root: Option<Id>,
     /// The leaves of the ray stage.
     pub leaves: Vec<Leaf>,
     /// f, df/dt, d²f/dt² in terms of leaves and surface values.
     pub jet: [Option<Id>; 3],
+    /// What stands in f for the nodes in space.
+    images: HashMap<Id, Id>,
     /// Subexpressions of higher degree whose coefficients the ray stage computes too, with their degree.
     pub polynomials: Vec<(Id, u32)>,
     /// f, df/dt, d²f/dt² over a segment in terms of these, if there are any; at points `jet` is better.
@@ -43,6 +47,11 @@ impl Staged {
         self.jet[0].into_iter().chain(over).collect()
     }
 
+    /// The node over segments that stands for one in space, if that is not inside of a leaf.
+    pub fn image(&self, id: Id) -> Option<Id> {
+        self.images.get(&id).copied()
+    }
+
     /// Splits the formula `root` and differentiates it along the ray.
     pub fn new(graph: &mut Graph, root: Id) -> Staged {
         Staged::in_form(graph, root, Form::Staged)
@@ -52,6 +61,7 @@ impl Staged {
     pub fn in_form(graph: &mut Graph, root: Id, form: Form) -> Staged {
         let mut staged = Staged {
             form,
+            root: Some(root),
             ..Staged::default()
         };
         if form.in_stages() {
@@ -63,7 +73,9 @@ impl Staged {
             staged.survey.settle();
             staged.leaves.clear();
         }
-        let value = staged.rebuild(graph, root, &mut HashMap::new());
+        let mut images = HashMap::new();
+        let value = staged.rebuild(graph, root, &mut images);
+        staged.images = images;
         let mut jet = staged.jet_of(graph, value);
         if form == Form::Naive {
             jet = jet.map(|id| graph.unshared(id));
