@@ -270,6 +270,16 @@ impl Active {
         if rough { &rest.rough } else { &rest.all }
     }
 
+    /// With the choices and rests of another, and no rows yet.
+    pub(crate) fn start_from(&mut self, other: &Active) {
+        self.rows.resize_with(other.rows.len(), Vec::new);
+        self.rows.iter_mut().for_each(Vec::clear);
+        self.rough.resize(other.rows.len(), 0);
+        self.rest.clone_from(&other.rest);
+        self.choices.clone_from(&other.choices);
+        self.by_sign = other.by_sign;
+    }
+
     /// Are there fewer rows, or fewer open choices?
     pub(crate) fn is_less_than(&self, other: &Active) -> bool {
         let rows = |active: &Active| active.rows.iter().map(Vec::len).sum::<usize>();

@@ -226,14 +226,16 @@ impl<'a> Job<'a> {
             .into_par_iter()
             .with_max_len(1)
             .map(|_| {
-                let mut tile = Tile::default();
+                let (mut tile, mut surveyed) = (Tile::default(), Vec::new());
+                surveyed.resize_with(surfaces.len(), Findings::default);
                 let mut shard = Shard::with_room(blocks as usize / threads + 1);
                 loop {
                     let number = next.fetch_add(1, Ordering::Relaxed);
                     if number >= blocks {
                         break shard;
                     }
-                    self.block(&view, &surfaces, number, &mut tile, &mut shard);
+                    let room = (&mut surveyed[..], &mut tile);
+                    self.block(&view, &surfaces, number, room, &mut shard);
                     if let Some(progress) = self.options.progress {
                         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
                         progress(Progress {
@@ -308,7 +310,7 @@ impl<'a> Job<'a> {
         view: &View,
         surfaces: &[TileJob],
         number: u32,
-        tile: &mut Tile,
+        (surveyed, tile): (&mut [Findings], &mut Tile),
         shard: &mut Shard,
     ) {
         let clock = Instant::now();
@@ -320,25 +322,20 @@ impl<'a> Job<'a> {
             let [x, y] = place(k);
             live |= u8::from(x < view.picture[0] && y < view.picture[1]) << k;
         }
-        let surveyed: Vec<Findings> = surfaces
-            .iter()
-            .zip(&self.prepared)
-            .map(|(job, surface)| {
-                let findings = self.survey(job, &**surface, corner, live);
-                let evaluations = &mut shard.statistics.evaluations;
-                evaluations.beams += findings.count;
-                let apart = (0..TILES_OF_BLOCK).filter(|k| findings.apart >> k & 1 != 0);
-                let pixels = apart.map(|k| within(view.picture, place(k), TILE));
-                evaluations.apart += pixels.sum::<u64>();
-                findings
-            })
-            .collect();
+        for ((job, surface), findings) in surfaces.iter().zip(&self.prepared).zip(&mut *surveyed) {
+            self.survey(job, &**surface, (corner, live), findings);
+            let evaluations = &mut shard.statistics.evaluations;
+            evaluations.beams += findings.count;
+            let apart = (0..TILES_OF_BLOCK).filter(|k| findings.apart >> k & 1 != 0);
+            let pixels = apart.map(|k| within(view.picture, place(k), TILE));
+            evaluations.apart += pixels.sum::<u64>();
+        }
         shard.statistics.phases.beams += clock.elapsed();
         shard.statistics.rays += within(view.picture, corner, BLOCK);
         for k in (0..TILES_OF_BLOCK).filter(|k| live >> k & 1 != 0) {
             tile.begin(view, place(k), self.domain.unwrap_or_default());
             if surveyed.iter().any(|found| found.hints[k].open) {
-                self.tile(surfaces, &surveyed, k, tile, number, shard);
+                self.tile(surfaces, surveyed, k, tile, number, shard);
             } else {
                 shard.statistics.area.add(&tile.area());
             }
@@ -350,10 +347,10 @@ impl<'a> Job<'a> {
         &self,
         job: &TileJob,
         surface: &dyn Prepared,
-        corner: [u32; 2],
-        live: u8,
-    ) -> Findings {
-        let mut findings = Findings::default();
+        (corner, live): ([u32; 2], u8),
+        findings: &mut Findings,
+    ) {
+        (findings.count, findings.apart) = (0, 0);
         let spans = job
             .outline
             .map_or(Span8::ALL, |outline| outline.spans(corner, &GRID_OF_TILES));
@@ -371,7 +368,7 @@ impl<'a> Job<'a> {
                     rows: &job.everything,
                     thin: self.options.settings.thin,
                 };
-                surface.survey(self.isa, beams, &request, &mut findings);
+                surface.survey(self.isa, beams, &request, findings);
             }
             None => {
                 findings.know(&Hint::OPEN, &job.everything);
@@ -379,7 +376,6 @@ impl<'a> Job<'a> {
             }
         }
         findings.apart |= live & !open;
-        findings
     }
 
     /// Traces one tile.

@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use super::statistics::Area;
-use crate::beam::{Grid, Rows};
+use crate::beam::{Findings, Grid, Rows};
 use crate::camera::{COLUMNS, Camera, ROWS, Sampling, plane};
 use crate::interval::Packet;
 use crate::ray::{Lines, clip};
@@ -109,6 +109,8 @@ pub(crate) struct Tile {
     pub entered: u64,
     /// The rows of each surface's tables that matter in each cell.
     pub rows: Vec<[Rows; CELLS]>,
+    /// Room for what is found out about its cells, and about a cell's packets.
+    pub findings: Option<Box<[Findings; 2]>>,
     pub events: Vec<Event>,
     pub counts: Evaluations,
     /// Rays that do not meet the domain, of those that were made.
@@ -130,6 +132,7 @@ impl Default for Tile {
             packets,
             entered: 0,
             rows: Vec::new(),
+            findings: None,
             events: Vec::new(),
             counts: Evaluations::default(),
             outside: 0,
@@ -237,6 +240,19 @@ impl Tile {
             self.rows.resize_with(index + 1, Default::default);
         }
         &mut self.rows[index]
+    }
+
+    /// Room for what will be found out about cells and packets.
+    pub fn take_findings(&mut self) -> Box<[Findings; 2]> {
+        let mut findings = self.findings.take().unwrap_or_default();
+        findings.iter_mut().for_each(|found| found.count = 0);
+        findings
+    }
+
+    /// Counts what was found out, and takes the room back.
+    pub fn done(&mut self, findings: Box<[Findings; 2]>) {
+        self.counts.beams += findings.iter().map(|found| found.count).sum::<u64>();
+        self.findings = Some(findings);
     }
 
     /// The cells in which an octree has boxes; all if there is none.

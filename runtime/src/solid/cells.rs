@@ -23,10 +23,11 @@ pub(super) struct Cells<'a> {
 impl Cells<'_> {
     /// Traces the tile, of which this much is known.
     pub fn trace(mut self, (hint, rows): (&Hint, &Rows)) {
-        let (mut cells, mut packets) = (Findings::default(), Findings::default());
+        let mut findings = self.tile.take_findings();
+        let [cells, packets] = &mut *findings;
         let live = self.tile.cells() & self.tile.boxed(self.job.outline);
         let part = (self.tile.corner, live);
-        self.look(&Tile::GRID_OF_CELLS, part, (hint, rows), &mut cells);
+        self.look(&Tile::GRID_OF_CELLS, part, (hint, rows), cells);
         let mut missed = 0;
         let full = hint.is_full();
         for (cell, (hint, rows)) in cells.hints.iter().zip(&cells.rows).enumerate() {
@@ -35,12 +36,12 @@ impl Cells<'_> {
             if hint.open {
                 let first = cell * PACKETS_OF_CELL;
                 let part = (self.tile.corner_of(first), self.tile.packets_of(cell));
-                self.look(&Tile::GRID_OF_PACKETS, part, (hint, rows), &mut packets);
-                self.cell(first, rows, &packets);
+                self.look(&Tile::GRID_OF_PACKETS, part, (hint, rows), packets);
+                self.cell(first, rows, packets);
             }
         }
         self.tile.missed &= missed;
-        self.tile.counts.beams += cells.count + packets.count;
+        self.tile.done(findings);
     }
 
     /// Looks at the beams of a grid, unless it is known that each ray has its root, and on which operand.

@@ -59,7 +59,8 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         (hint, rows): (&Hint, &Rows),
         outline: Option<&Outline>,
     ) {
-        let (mut cells, mut packets) = (Findings::default(), Findings::default());
+        let mut findings = self.tile.take_findings();
+        let [cells, packets] = &mut *findings;
         let spans = self.tile.spans(outline);
         let all = self.tile.cells();
         let open = all & spans.live();
@@ -67,13 +68,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             _ if open == 0 => cells.close(),
             Some(surface) => {
                 let part = (self.tile.corner, open, spans);
-                self.look(
-                    surface,
-                    &Tile::GRID_OF_CELLS,
-                    part,
-                    (hint, rows),
-                    &mut cells,
-                );
+                self.look(surface, &Tile::GRID_OF_CELLS, part, (hint, rows), cells);
             }
             None => {
                 cells.know(hint, rows);
@@ -100,13 +95,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                     };
                     let corner = self.tile.corner_of(first);
                     let part = (corner, self.tile.packets_of(cell), within);
-                    self.look(
-                        surface,
-                        &Tile::GRID_OF_PACKETS,
-                        part,
-                        (hint, rows),
-                        &mut packets,
-                    );
+                    self.look(surface, &Tile::GRID_OF_PACKETS, part, (hint, rows), packets);
                     true
                 }
                 _ => false,
@@ -124,7 +113,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
         }
         core::mem::swap(&mut cells.rows, self.tile.rows(self.index));
         self.tile.missed &= missed;
-        self.tile.counts.beams += cells.count + packets.count;
+        self.tile.done(findings);
     }
 
     #[inline(always)]

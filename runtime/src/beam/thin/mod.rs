@@ -40,6 +40,10 @@ pub(crate) struct Thin {
     signed: u8,
     /// For each row of each list, how much it matters in each beam: its greatest part of a sum.
     weights: Vec<Vec<[f64; 8]>>,
+    /// The steps of each list's rows from which on they are left out in a beam, and in rough looks.
+    cuts: Vec<[u32; 2]>,
+    /// What the rows of each sum that are left out add, likewise.
+    sums: Vec<[Sum; 2]>,
 }
 
 impl Default for Thin {
@@ -56,6 +60,8 @@ impl Default for Thin {
             strict: 0,
             signed: 0,
             weights: Vec::new(),
+            cuts: Vec::new(),
+            sums: Vec::new(),
         }
     }
 }
@@ -124,16 +130,12 @@ impl Thin {
     }
 
     /// What of `active` is still active over this piece of a beam.
-    pub fn choose(&self, active: &Active, lane: usize, to: &mut Active) {
-        to.clone_from(active);
-        for rest in &mut to.rest {
-            rest.rough = rest.all;
-        }
-        let mut cuts = Vec::with_capacity(active.rows.len());
+    pub fn choose(&mut self, active: &Active, lane: usize, to: &mut Active) {
+        to.start_from(active);
+        self.cuts.clear();
         for (list, (rows, weights)) in active.rows.iter().zip(&self.weights).enumerate() {
-            let [lost, rough] = LOST.map(|part| cut(weights, lane, part));
+            let [lost, rough] = cuts(weights, lane);
             let kept = &mut to.rows[list];
-            kept.clear();
             let steps = || {
                 rows.iter()
                     .zip(weights)
@@ -141,14 +143,13 @@ impl Thin {
             };
             kept.extend(steps().filter(|(_, s)| *s < rough).map(|(row, _)| row));
             to.rough[list] = kept.len();
-            kept.extend(
-                steps()
-                    .filter(|(_, s)| (rough..lost).contains(s))
-                    .map(|(row, _)| row),
-            );
-            cuts.push([lost, rough]);
+            if rough < lost {
+                let more = steps().filter(|(_, s)| (rough..lost).contains(s));
+                kept.extend(more.map(|(row, _)| row));
+            }
+            self.cuts.push([lost, rough]);
         }
-        self.add_rests(lane, &cuts, &mut to.rest);
+        self.add_rests(lane, &mut to.rest);
         to.by_sign |= self.signed >> lane & 1 != 0;
         let strict = self.strict >> lane & 1 != 0;
         for decided in &self.choices {
@@ -164,20 +165,22 @@ impl Thin {
     }
 
     /// What the rows behind the cuts add.
-    fn add_rests(&self, lane: usize, cuts: &[[u32; 2]], rests: &mut [Rest]) {
-        let mut sums = vec![[Sum::default(); 2]; rests.len()];
+    fn add_rests(&mut self, lane: usize, rests: &mut [Rest]) {
+        self.sums.clear();
+        self.sums.resize(rests.len(), [Sum::default(); 2]);
         for term in &self.terms {
-            let cut = cuts[term.row.list];
+            let cut = self.cuts[term.row.list];
             let step = step(self.weights[term.row.list][term.row.at][lane]);
-            for (sum, cut) in sums[term.sum].iter_mut().zip(cut) {
+            for (sum, cut) in self.sums[term.sum].iter_mut().zip(cut) {
                 if step >= cut {
                     sum.add(term.lo[lane], term.hi[lane]);
                 }
             }
         }
-        for (rest, [all, rough]) in rests.iter_mut().zip(&sums) {
+        for (rest, [all, rough]) in rests.iter_mut().zip(&self.sums) {
+            // What was left out before is not visited by a rough look either.
+            rest.rough = rough.beside(rest.all);
             rest.all = all.beside(rest.all);
-            rest.rough = rough.beside(rest.rough);
         }
     }
 
@@ -243,16 +246,18 @@ fn step(weight: f64) -> u32 {
     1023u32.saturating_sub(exponent).min(STEPS as u32 - 1)
 }
 
-/// The first step of those whose weights together are at most `part`.
-fn cut(weights: &[[f64; 8]], lane: usize, part: f64) -> u32 {
+/// The first step of those whose weights together are at most each part of [`LOST`].
+fn cuts(weights: &[[f64; 8]], lane: usize) -> [u32; 2] {
     let mut sums = [0.0; STEPS];
     for weight in weights {
         sums[step(weight[lane]) as usize] += weight[lane];
     }
-    let mut together = 0.0;
-    let fits = |sum: &&f64| {
-        together += **sum;
-        together <= part
-    };
-    (STEPS - sums.iter().rev().take_while(fits).count()) as u32
+    let (mut together, mut first) = (0.0, STEPS);
+    LOST.map(|part| {
+        while first > 0 && together + sums[first - 1] <= part {
+            first -= 1;
+            together += sums[first];
+        }
+        first as u32
+    })
 }

@@ -49,7 +49,7 @@ fn total(thin: &Thin, chosen: &Active, lane: usize, sum: usize, rough: bool) -> 
 
 #[test]
 fn what_is_left_out_is_in_the_rest() {
-    let (active, thin) = told(100);
+    let (active, mut thin) = told(100);
     let (mut left_out, mut missed) = (0, 0);
     for lane in 0..8 {
         let mut chosen = Active::default();
@@ -97,7 +97,7 @@ fn a_minimum_keeps_what_may_be_least() {
             thin.add_candidate(candidate, [hi; 8]);
         }
     });
-    let rows = |lane| {
+    let mut rows = |lane| {
         let mut chosen = Active::default();
         thin.choose(&active, lane, &mut chosen);
         chosen.rows[0].clone()
@@ -134,7 +134,7 @@ fn of_a_sign_what_is_positive_is_left_out() {
             by_sign: true,
         });
     });
-    let chosen = |lane| {
+    let mut chosen = |lane| {
         let mut chosen = Active::default();
         thin.choose(&active, lane, &mut chosen);
         (chosen.rows[0].clone(), chosen.choices[0], chosen.by_sign)
