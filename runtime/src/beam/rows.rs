@@ -35,8 +35,8 @@ impl Rows {
     }
 
     /// Those that matter up to a parameter, which counts from the camera.
-    pub fn at(&self, t: f64) -> &Active {
-        if t <= self.reach {
+    pub fn at(&self, t: impl FnOnce() -> f64) -> &Active {
+        if self.reach == f64::INFINITY || t() <= self.reach {
             &self.near
         } else {
             &self.all

@@ -1,5 +1,7 @@
 //! A tile of the picture while it is worked on.
 
+use std::any::Any;
+
 use super::record::Record;
 use super::statistics::Area;
 use crate::beam::{Findings, Grid, Rows};
@@ -111,6 +113,8 @@ pub(crate) struct Tile {
     pub rows: Vec<[Rows; CELLS]>,
     /// Room for what is found out about its cells, and about a cell's packets.
     pub findings: Option<Box<[Findings; 2]>>,
+    /// Room for surfaces that are bound, each of another type.
+    pub rooms: Vec<Box<dyn Any>>,
     pub events: Vec<Event>,
     pub counts: Evaluations,
     /// Rays that do not meet the domain, of those that were made.
@@ -133,6 +137,7 @@ impl Default for Tile {
             entered: 0,
             rows: Vec::new(),
             findings: None,
+            rooms: Vec::new(),
             events: Vec::new(),
             counts: Evaluations::default(),
             outside: 0,
@@ -240,6 +245,16 @@ impl Tile {
             self.rows.resize_with(index + 1, Default::default);
         }
         &mut self.rows[index]
+    }
+
+    /// Room of a type that was given back before, if there is any.
+    pub fn room<T: Any>(&mut self, new: impl FnOnce() -> T) -> Box<T> {
+        let known = self.rooms.iter().position(|room| room.is::<T>());
+        let room = known.map(|k| self.rooms.swap_remove(k).downcast());
+        match room {
+            Some(Ok(room)) => room,
+            _ => Box::new(new()),
+        }
     }
 
     /// Room for what will be found out about cells and packets.

@@ -51,7 +51,7 @@ pub(super) struct OverGroup<'a, S: Surface, P: Packet> {
     /// The picture's leaves.
     from: &'a S::Bound<OverBeams<P>>,
     /// These beams' leaves.
-    bound: S::Bound<OverBeams<P>>,
+    pub(super) bound: Box<S::Bound<OverBeams<P>>>,
 }
 
 impl<'a, S: Surface, P: Packet> OverGroup<'a, S, P> {
@@ -61,10 +61,19 @@ impl<'a, S: Surface, P: Packet> OverGroup<'a, S, P> {
         prepared: &'a S::Prepared,
         leaves: &'a (dyn Any + Send + Sync),
     ) -> Option<Self> {
+        Self::within(prepared, leaves, || Box::new(S::unbound::<OverBeams<P>>(p)))
+    }
+
+    /// The same in room that may have been used before.
+    pub fn within(
+        prepared: &'a S::Prepared,
+        leaves: &'a (dyn Any + Send + Sync),
+        room: impl FnOnce() -> Box<S::Bound<OverBeams<P>>>,
+    ) -> Option<Self> {
         Some(OverGroup {
             prepared,
             from: leaves.downcast_ref()?,
-            bound: S::unbound::<OverBeams<P>>(p),
+            bound: room(),
         })
     }
 }

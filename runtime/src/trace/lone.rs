@@ -41,5 +41,6 @@ impl<S: Surface> Kernel for TraceLone<'_, S> {
         for lone in self.lone {
             lone.found = trace.only(lone.packet, &lone.single, &active);
         }
+        trace.done();
     }
 }

@@ -72,7 +72,7 @@ impl<S: Surface> Kernel for NormalsOfTile<'_, S> {
                 }
                 let point = points(p, packet);
                 let active = rows.map_or(&all, |rows| {
-                    rows[number / PACKETS_OF_CELL].at(farthest(packet, shown))
+                    rows[number / PACKETS_OF_CELL].at(|| farthest(packet, shown))
                 });
                 let [_, x, y, z] = p.call(Gradient::<S, P> {
                     prepared,

@@ -25,7 +25,7 @@ pub(super) struct Packets<'a, S: Surface, C, P: Packet> {
     /// All rows of its tables.
     everything: &'a Active,
     pub(super) tile: &'a mut Tile,
-    bound: S::Bound<P>,
+    bound: Box<S::Bound<P>>,
     events: Events,
     solver: PhantomData<C>,
 }
@@ -39,6 +39,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         index: u16,
         tile: &'a mut Tile,
     ) -> Self {
+        let bound = tile.room(|| S::unbound::<P>(p));
         Packets {
             p,
             prepared,
@@ -48,10 +49,15 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             view: job.view,
             everything: &job.everything.all,
             tile,
-            bound: S::unbound::<P>(p),
+            bound,
             events: Events::default(),
             solver: PhantomData,
         }
+    }
+
+    /// Gives the room back.
+    pub fn done(self) {
+        self.tile.rooms.push(self.bound);
     }
 
     /// Traces a packet of the tile, of which this much is known: first where few rows of tables matter, and where the
@@ -228,7 +234,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         let entry = p.lanes(packet.record.entry);
         let rays = Rays::recentred(p, &packet.lines, entry, end);
         self.tile.counts.note(active);
-        let entries = Entries::bind(p, self.prepared, &rays, active, &mut self.bound);
+        let entries = Entries::bind(p, self.prepared, &rays, active, &mut *self.bound);
         // A closed form needs no bracket.
         let closed = self.settings.closed_forms && S::quadric(entries.bound).is_some();
         let known = known.filter(|_| !closed);

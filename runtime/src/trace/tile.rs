@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::beams::OverGroup;
 use super::packet::Packets;
-use crate::beam::{Bundle, Findings, Grid, Hint, Request, Rows, Scout, Space};
+use crate::beam::{Bundle, Findings, Grid, Hint, OverBeams, Request, Rows, Scout, Space};
 use crate::contract::Contractor;
 use crate::interval::{Kernel, Packet};
 use crate::render::tile::{CELLS, PACKETS_OF_CELL, Tile};
@@ -32,20 +32,24 @@ impl<S: Surface, C: Contractor> Kernel for TraceTile<'_, S, C> {
     #[inline(always)]
     fn run<P: Packet>(self, p: P) {
         let TileJob { beams, index, .. } = *self.job;
-        let mut trace = Packets::<S, C, P>::new(p, self.prepared, self.job, index, self.tile);
         let over = match (beams, self.hint.single) {
-            (Some(beams), None) => OverGroup::<S, P>::new(p, self.prepared, beams.leaves),
+            (Some(beams), None) => OverGroup::<S, P>::within(self.prepared, beams.leaves, || {
+                self.tile.room(|| S::unbound::<OverBeams<P>>(p))
+            }),
             _ => None,
         };
+        let mut trace = Packets::<S, C, P>::new(p, self.prepared, self.job, index, self.tile);
         let known = (&self.hint, self.rows);
         // Where a beam has found all roots there is nothing to add.
         let outline = self.job.outline.filter(|_| !self.hint.is_full());
         match (over, beams) {
             (Some(mut over), Some(beams)) => {
                 trace.cells(Some((&mut over, beams.space)), known, outline);
+                trace.tile.rooms.push(over.bound);
             }
             _ => trace.cells(None, known, outline),
         }
+        trace.done();
     }
 }
 

@@ -134,7 +134,12 @@ impl Thin {
         to.start_from(active);
         self.cuts.clear();
         for (list, (rows, weights)) in active.rows.iter().zip(&self.weights).enumerate() {
-            let [lost, rough] = cuts(weights, lane);
+            // Without sums, rows matter or they do not.
+            let [lost, rough] = if self.terms.is_empty() {
+                [1, 1]
+            } else {
+                cuts(weights, lane)
+            };
             let kept = &mut to.rows[list];
             let steps = || {
                 rows.iter()
