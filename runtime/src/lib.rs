@@ -70,7 +70,7 @@ pub mod verdict;
 
 pub use camera::Camera;
 pub use glam;
-pub use render::{Options, Rendering, render};
+pub use render::{Options, Rendering, render, render_over};
 pub use scene::Scene;
 pub use shade::Shading;
 pub use solid::{Operand, Solid};

@@ -5,7 +5,7 @@ use crate::family::{Form, SumOfExpQuadrics, quadratics};
 use crate::random::Random;
 use crate::timing::{Contender, digits, interleave, pool, timed};
 use glam::DVec3;
-use zeroset::render::{Options, render};
+use zeroset::render::{Options, render, render_over};
 use zeroset::space::Subdivision;
 use zeroset::{Camera, Scene};
 
@@ -40,11 +40,13 @@ fn camera(frame: u32) -> Camera {
 fn film(scene: &Scene, change: fn(&mut Options)) -> u64 {
     let mut options = Options::new(SIZE, SIZE);
     change(&mut options);
-    let frames = (0..FRAMES).map(|frame| {
-        let picture = render(scene, &camera(frame), &options).expect("a valid scene");
-        picture.statistics().root
-    });
-    frames.sum()
+    let mut last = render(scene, &camera(0), &options).expect("a valid scene");
+    let mut hits = last.statistics().root;
+    for frame in 1..FRAMES {
+        last = render_over(last, scene, &camera(frame), &options).expect("a valid scene");
+        hits += last.statistics().root;
+    }
+    hits
 }
 
 /// A name, whether there are boxes, and what is switched off.

@@ -29,7 +29,7 @@ fn chosen() -> Vec<Shape> {
     shapes
 }
 
-/// Time per pixel.
+/// Time per pixel, in fresh memory and in that of the last picture.
 fn pixels(largest: u32, runs: usize) {
     let sizes: Vec<u32> = (8..=12).map(|k| 1 << k).filter(|n| *n <= largest).collect();
     println!("\n### Growth: ns per pixel, one thread\n");
@@ -42,29 +42,42 @@ fn pixels(largest: u32, runs: usize) {
     let pool = pool(1);
     for shape in chosen() {
         let (shape, pool) = (&shape, &pool);
-        let mut contenders: Vec<Contender> = sizes
-            .iter()
-            .map(|&size| -> Contender {
-                let view = View {
-                    size,
-                    place: Place::Centre,
-                };
-                Box::new(move || timed(1, || pool.install(|| view.render(&shape.scene))))
-            })
-            .collect();
-        let times = interleave(runs, &mut contenders);
-        let cells = sizes.iter().zip(times).map(|(&n, time)| {
-            let scale = 1e9 / (f64::from(n) * f64::from(n));
-            let [median, least, most] =
-                [time.median, time.least, time.most].map(|t| digits(scale * t));
-            format!("{median} ({least} … {most})")
+        let views = sizes.iter().map(|&size| View {
+            size,
+            place: Place::Centre,
         });
-        println!(
-            "| {} | {} |",
-            shape.name,
-            cells.collect::<Vec<_>>().join(" | ")
+        let fresh = views.clone().map(|view| -> Contender {
+            Box::new(move || timed(1, || pool.install(|| view.render(&shape.scene))))
+        });
+        let again = views.map(|view| -> Contender {
+            let mut last = None;
+            Box::new(move || {
+                let old = last.take();
+                timed(1, || {
+                    last = Some(pool.install(|| view.render_over(old, &shape.scene)));
+                })
+            })
+        });
+        let mut contenders: Vec<Contender> = fresh.chain(again).collect();
+        let times = interleave(runs, &mut contenders);
+        let (fresh, again) = times.split_at(sizes.len());
+        row(&shape.name, &sizes, fresh);
+        row(
+            &format!("{}, over the last picture", shape.name),
+            &sizes,
+            again,
         );
     }
+}
+
+/// Nanoseconds per pixel of pictures of these sizes.
+fn row(name: &str, sizes: &[u32], times: &[Spread]) {
+    let cells = sizes.iter().zip(times).map(|(&n, time)| {
+        let scale = 1e9 / (f64::from(n) * f64::from(n));
+        let [median, least, most] = [time.median, time.least, time.most].map(|t| digits(scale * t));
+        format!("{median} ({least} … {most})")
+    });
+    println!("| {name} | {} |", cells.collect::<Vec<_>>().join(" | "));
 }
 
 /// Milliseconds against the number of terms, beside what a linear law would give from the first on.

@@ -21,9 +21,9 @@ mod limit;
 mod models;
 mod packets;
 mod picture;
-mod rigour;
 #[path = "../../../examples/sum_of_exp_quadrics/random.rs"]
 mod random;
+mod rigour;
 mod shapes;
 mod space;
 mod timing;

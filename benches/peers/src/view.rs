@@ -3,7 +3,7 @@
 use glam::DVec3;
 use zeroset::Camera;
 use zeroset::camera::Sampling;
-use zeroset::render::{Options, Rendering, render};
+use zeroset::render::{Options, Rendering, render, render_over};
 use zeroset::{Scene, verdict::Verdict};
 
 /// Where in a pixel its ray runs.
@@ -65,6 +65,14 @@ impl View {
     /// zeroset's picture, on the threads of the pool from which this is called.
     pub fn render(&self, scene: &Scene) -> Rendering {
         render(scene, &self.camera(), &self.options()).expect("a valid scene")
+    }
+
+    /// The same into the memory of another picture.
+    pub fn render_over(&self, old: Option<Rendering>, scene: &Scene) -> Rendering {
+        let Some(old) = old else {
+            return self.render(scene);
+        };
+        render_over(old, scene, &self.camera(), &self.options()).expect("a valid scene")
     }
 
     /// What zeroset shows at a pixel. The camera is at z = 3 and looks along −z.

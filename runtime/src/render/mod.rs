@@ -12,6 +12,7 @@ pub use options::{Options, Progress};
 pub use rendering::{Pixel, Rendering};
 pub use statistics::{Area, Phases, Statistics};
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -27,7 +28,7 @@ pub use crate::trace::Trail;
 use crate::trace::{Leaves, WithBeams};
 use crate::verdict::{Answer, Verdict};
 use settle::settle;
-use shard::Shard;
+use shard::{Memory, Shard};
 use tile::{BLOCK, GRID_OF_TILES, TILE, TILES_OF_BLOCK, Tile, View, blocks};
 
 /// A picture that cannot be rendered.
@@ -64,14 +65,33 @@ pub enum RenderError {
 /// If a parameter is not finite, a surface has no domain, the size is out of range, or the instruction set that was
 /// asked for does not exist here. Each error says what to do.
 pub fn render(scene: &Scene, camera: &Camera, options: &Options) -> Result<Rendering, RenderError> {
-    let job = Job::checked(scene, camera, options)?;
-    match options.threads {
-        None => Ok(job.run()),
+    on_threads(Job::checked(scene, camera, options)?, Vec::new())
+}
+
+/// As [`render`], into the memory of a picture that is not needed any more: for animations. The old picture may be of any
+/// size and scene, and nothing of it shows.
+///
+/// A system may take as long to hand out fresh memory as a simple surface takes to trace.
+///
+/// # Errors
+/// As [`render`]; the old picture is gone then, too.
+pub fn render_over(
+    old: Rendering,
+    scene: &Scene,
+    camera: &Camera,
+    options: &Options,
+) -> Result<Rendering, RenderError> {
+    on_threads(Job::checked(scene, camera, options)?, old.into_memory())
+}
+
+fn on_threads(job: Job, memory: Vec<Memory>) -> Result<Rendering, RenderError> {
+    match job.options.threads {
+        None => Ok(job.run(memory)),
         Some(threads) => {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
                 .build()?;
-            Ok(pool.install(|| job.run()))
+            Ok(pool.install(|| job.run(memory)))
         }
     }
 }
@@ -205,8 +225,8 @@ impl<'a> Job<'a> {
         })
     }
 
-    /// Each thread takes the next block until none is left, and keeps what it finished in one piece of memory.
-    fn run(self) -> Rendering {
+    /// Each thread takes the next block until none is left, and keeps what it finished in one piece of memory, old or new.
+    fn run(self, memory: Vec<Memory>) -> Rendering {
         let start = Instant::now();
         let picture = [self.options.width, self.options.height];
         let view = View {
@@ -222,13 +242,15 @@ impl<'a> Job<'a> {
         let threads = rayon::current_num_threads();
         let next = AtomicU32::new(0);
         let done = AtomicUsize::new(0);
+        let memory = Mutex::new(memory);
         let shards: Vec<Shard> = (0..threads)
             .into_par_iter()
             .with_max_len(1)
             .map(|_| {
                 let (mut tile, mut surveyed) = (Tile::default(), Vec::new());
                 surveyed.resize_with(surfaces.len(), Findings::default);
-                let mut shard = Shard::with_room(blocks as usize / threads + 1);
+                let old = memory.lock().ok().and_then(|mut memory| memory.pop());
+                let mut shard = Shard::within(old, blocks as usize / threads + 1);
                 loop {
                     let number = next.fetch_add(1, Ordering::Relaxed);
                     if number >= blocks {

@@ -1,6 +1,6 @@
 //! The finished picture: an answer per pixel.
 
-use super::shard::{Place, Shard};
+use super::shard::{Memory, Place, Shard};
 use super::statistics::Statistics;
 use super::tile::{BLOCK, TILE, TILES_OF_BLOCK, Tile, blocks};
 use crate::interval::Interval;
@@ -58,6 +58,13 @@ impl Rendering {
             colours: labels.iter().map(|label| label.colour).collect(),
             statistics,
         }
+    }
+
+    /// What another picture may use, the most last.
+    pub(super) fn into_memory(self) -> Vec<Memory> {
+        let mut shards = self.shards;
+        shards.sort_by_key(|shard| shard.records.capacity());
+        shards.into_iter().map(Shard::into_memory).collect()
     }
 
     /// Columns of pixels.

@@ -37,17 +37,28 @@ pub(crate) struct Shard {
     pub statistics: Statistics,
 }
 
+/// The memory of a shard whose picture is not needed any more.
+pub(crate) struct Memory(Vec<Record>);
+
 /// Room for so many records at most is asked for at once: 25 MB, of which only what is written costs anything.
 const ROOM: usize = 1 << 16;
 
 impl Shard {
     /// For about so many blocks.
-    pub fn with_room(blocks: usize) -> Self {
+    pub fn within(memory: Option<Memory>, blocks: usize) -> Self {
+        let Memory(mut records) = memory.unwrap_or(Memory(Vec::new()));
+        records.reserve((blocks * TILES_OF_BLOCK * PACKETS).min(ROOM));
         Shard {
-            records: Vec::with_capacity((blocks * TILES_OF_BLOCK * PACKETS).min(ROOM)),
+            records,
             tiles: Vec::with_capacity((blocks * TILES_OF_BLOCK).min(ROOM)),
             ..Shard::default()
         }
+    }
+
+    /// What another picture may use.
+    pub fn into_memory(mut self) -> Memory {
+        self.records.clear();
+        Memory(self.records)
     }
 
     /// Keeps what is known about a tile.

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use glam::DVec3;
 use zeroset::camera::{Camera, Ray, Sampling};
 use zeroset::interval::Isa;
-use zeroset::render::{Options, Progress, RenderError, all_roots, render};
+use zeroset::render::{Options, Progress, RenderError, all_roots, render, render_over};
 use zeroset::scene::{Scene, SceneError};
 use zeroset::shade::Shading;
 use zeroset::verdict::Verdict;
@@ -113,6 +113,30 @@ fn threads_and_instruction_sets_agree() {
             }
         }
         assert!(hits > 100, "{hits}");
+    }
+}
+
+#[test]
+fn nothing_shows_of_a_picture_that_is_rendered_over() {
+    let scene = |radius| Scene::new().with(ball(radius));
+    let options = |size, threads| {
+        let mut options = Options::new(size, size);
+        options.threads = Some(threads);
+        options
+    };
+    let mut last = render(&scene(1.2), &camera(), &options(150, 2)).unwrap();
+    // Smaller and larger pictures, on fewer and more threads.
+    for (radius, size, threads) in [(0.3, 40, 1), (0.9, 260, 3), (0.6, 90, 2)] {
+        let (scene, options) = (scene(radius), options(size, threads));
+        let fresh = render(&scene, &camera(), &options).unwrap();
+        last = render_over(last, &scene, &camera(), &options).unwrap();
+        assert_eq!([last.width(), last.height()], [size; 2]);
+        let pixels = (0..size).flat_map(|x| (0..size).map(move |y| (x, y)));
+        for (x, y) in pixels {
+            assert_eq!(last.pixel(x, y), fresh.pixel(x, y), "({x}, {y})");
+        }
+        assert_eq!(last.statistics().root, fresh.statistics().root);
+        assert!(fresh.statistics().root > 20);
     }
 }
 
