@@ -121,10 +121,12 @@ impl Rendering {
             }
         };
         let normal = record.normal.map(|n| n[lane]);
+        // Lanes that show nothing hold leftovers.
+        let turned = has(record.shown) && normal != [0.0; 3];
         Pixel {
             answer,
             surface: has(record.shown).then_some(usize::from(record.surface[lane])),
-            normal: (normal != [0.0; 3]).then_some(normal),
+            normal: turned.then_some(normal),
             tied: has(record.tied),
         }
     }
