@@ -115,3 +115,23 @@ impl Shard {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Record, Shard};
+
+    #[test]
+    fn memory_is_used_again() {
+        let mut shard = Shard::within(None, 1);
+        shard.records.push(Record::default());
+        let (place, room) = (shard.records.as_ptr(), shard.records.capacity());
+        let again = Shard::within(Some(shard.into_memory()), 1);
+        assert!(again.records.is_empty());
+        assert_eq!(
+            (again.records.as_ptr(), again.records.capacity()),
+            (place, room)
+        );
+        let more = Shard::within(Some(again.into_memory()), 2);
+        assert!(more.records.capacity() > room, "the control");
+    }
+}

@@ -92,38 +92,32 @@ impl<P: Packet> Second<'_, P> {
         spent + LOOKS <= f64::from(self.budget)
     }
 
-    /// One image by the active rows where that is enough, else by all.
+    /// Newton images while each at least halves a root's interval: one by the active rows where that is enough, else by
+    /// all. What is wide then is bisected.
     fn roots(&mut self, t: &mut Interval<P::F>) {
         let p = self.field.p;
-        let mut roots = ends(p, t);
-        let (goals, slopes) = (p.to_array(self.goal), self.slopes(t, self.wide));
-        for lane in lanes(self.wide) {
-            let image = slopes[lane]
-                .and_then(|d| self.on(lane, |line| line.image(&roots[lane], &d, true)))
-                .filter(|t| t.width() <= goals[lane]);
-            if let Some(image) = image {
-                roots[lane] = image;
-                self.wide &= !(1 << lane);
-            }
-        }
-        self.all_rows(&mut roots);
-        *t = packet(p, &roots);
-    }
-
-    /// Newton images while each at least halves a root's interval; what is wide then is bisected.
-    fn all_rows(&mut self, roots: &mut [Interval; 8]) {
-        let p = self.field.p;
         let mut open = self.wide;
-        for _ in 0..4 {
+        let mut roots = ends(p, t);
+        let goals = p.to_array(self.goal);
+        for round in 0..4 {
             if open == 0 {
                 break;
             }
-            let slopes = self.slopes(&packet(p, roots), open);
+            let slopes = self.slopes(&packet(p, &roots), open);
             for lane in lanes(open) {
                 let before = roots[lane];
-                let image =
-                    slopes[lane].and_then(|d| self.on(lane, |line| line.image(&before, &d, false)));
-                roots[lane] = image.unwrap_or(before);
+                let mut image = |near| {
+                    slopes[lane].and_then(|d| self.on(lane, |line| line.image(&before, &d, near)))
+                };
+                if round == 0
+                    && let Some(enough) = image(true).filter(|t| t.width() <= goals[lane])
+                {
+                    roots[lane] = enough;
+                    open &= !(1 << lane);
+                    self.wide &= !(1 << lane);
+                    continue;
+                }
+                roots[lane] = image(false).unwrap_or(before);
                 let halved = roots[lane].width() <= 0.5 * before.width();
                 if !halved || is_narrow(&roots[lane]) {
                     open &= !(1 << lane);
@@ -136,6 +130,7 @@ impl<P: Packet> Second<'_, P> {
                 roots[lane] = self.on(lane, |line| line.bisect(wide));
             }
         }
+        *t = packet(p, &roots);
     }
 
     /// f' over the segments of some rays, where it may be used and is not 0.

@@ -133,7 +133,9 @@ fn nothing_shows_of_a_picture_that_is_rendered_over() {
         assert_eq!([last.width(), last.height()], [size; 2]);
         let pixels = (0..size).flat_map(|x| (0..size).map(move |y| (x, y)));
         for (x, y) in pixels {
-            assert_eq!(last.pixel(x, y), fresh.pixel(x, y), "({x}, {y})");
+            let pixel = last.pixel(x, y);
+            assert_eq!(pixel, fresh.pixel(x, y), "({x}, {y})");
+            assert_eq!(pixel.surface.is_some(), pixel.normal.is_some());
         }
         assert_eq!(last.statistics().root, fresh.statistics().root);
         assert!(fresh.statistics().root > 20);

@@ -16,7 +16,7 @@ use sum::Sum;
 use told::{Candidate, Decided, Term};
 
 /// Terms that together are less than this part of the greatest at the front are not visited, and in rough looks those
-/// below that part.
+/// below that part: in ascending order.
 const LOST: [f64; 2] = [1.0 / (1u64 << 46) as f64, 1.0 / (1u64 << 12) as f64];
 
 /// The terms of all active rows over eight beams.
