@@ -27,10 +27,8 @@ pub struct Quadratic<P: Packet> {
     pub low: P::F,
     /// An upper bound of the upper quadratic over all t; −∞ if it has no maximum.
     pub high: P::F,
-    /// An enclosure of the lower quadratic's vertex −c₁/2c₂, if it has a minimum; else not used.
-    pub bottom: Interval<P::F>,
-    /// An enclosure of the upper quadratic's vertex, if it has a maximum; else not used.
-    pub top: Interval<P::F>,
+    /// An enclosure of the vertex −c₁/2c₂ of the one of both that has its extreme value there; else not used.
+    pub vertex: Interval<P::F>,
 }
 
 /// A kind of leaves: along rays (any [`Packet`] stands for its own), or over [beams](crate::beam).

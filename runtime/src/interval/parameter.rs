@@ -25,22 +25,12 @@ impl<P: Packet> Linear<P> {
 }
 
 impl<P: Packet> Quadratic<P> {
-    /// c₀ + c₁t + c₂t², with the extreme values c₀ − c₁²/4c₂ of the two bounding quadratics rounded outward.
+    /// c₀ + c₁t + c₂t², with the extreme value c₀ − c₁²/4c₂ of the bounding quadratic that has one, rounded outward.
     #[inline(always)]
     pub fn new(p: P, c0: Interval<P::F>, c1: Interval<P::F>, c2: Interval<P::F>) -> Self {
-        let lower = [c0.lo, c1.lo, c2.lo];
-        // The maximum of the upper quadratic is the negated minimum of the negated one, at the same t.
-        let upper = [p.neg_f(c0.hi), p.neg_f(c1.hi), p.neg_f(c2.hi)];
-        let ((low, bottom), (high, top)) = (minimum(p, &lower), minimum(p, &upper));
-        Quadratic {
-            c0,
-            c1,
-            c2,
-            low,
-            high: p.neg_f(high),
-            bottom,
-            top,
-        }
+        operation!(
+            <P: Packet> p, (c: [Interval<P::F>; 3] = &[c0, c1, c2]) -> Quadratic<P> = p => with_vertex(p, c)
+        )
     }
 
     /// The leaf 0: room in arrays, to be written by the ray stage.
@@ -53,38 +43,39 @@ impl<P: Packet> Quadratic<P> {
             c2: zero,
             low: p.splat(f64::INFINITY),
             high: p.splat(f64::NEG_INFINITY),
-            bottom: zero,
-            top: zero,
+            vertex: zero,
         }
     }
 }
 
-/// A lower bound of c₀ − c₁²/4c₂ where c₂ > 0, else +∞; and an enclosure of −c₁/2c₂, which is NaN or nonsense where
-/// c₂ ≤ 0.
+/// Upwards (c₂ > 0) the lower quadratic has a minimum, downwards the upper one a maximum, which is the negated minimum of
+/// the negated one, at the same t. Never both: the other one bends the same way.
 #[inline(always)]
-fn minimum<P: Packet>(p: P, c: &[P::F; 3]) -> (P::F, Interval<P::F>) {
-    operation!(<P: Packet> p, (c: [P::F; 3] = c) -> (P::F, Interval<P::F>) = p => extreme(p, c))
-}
-
-#[inline(always)]
-fn extreme<P: Packet>(p: P, [c0, c1, c2]: [P::F; 3]) -> (P::F, Interval<P::F>) {
+fn with_vertex<P: Packet>(p: P, [c0, c1, c2]: [Interval<P::F>; 3]) -> Quadratic<P> {
     let zero = p.splat(0.0);
-    let m = p.abs_f(c1);
+    let (up, down) = (p.lt(zero, c2.lo), p.lt(c2.hi, zero));
+    let of = |c: Interval<P::F>| p.select(down, p.neg_f(c.hi), c.lo);
+    let (c, n, bend) = (of(c0), p.neg_f(of(c1)), of(c2));
+    let m = p.abs_f(n);
     let square = p.mul_nonneg_ru(m, m);
     // Rounded down 4c₂ is 0 at worst, which makes the drop infinite, or 0/0 where c₁ = 0: then the minimum is c₀.
-    let four = p.max_f(p.mul_rd(p.splat(4.0), c2), zero);
-    let low = p.sub_rd(c0, p.div_ru(square, four));
-    let low = p.select(p.eq(c1, zero), c0, low);
+    let four = p.max_f(p.mul_rd(p.splat(4.0), bend), zero);
+    let low = p.sub_rd(c, p.div_ru(square, four));
+    let low = p.select(p.eq(n, zero), c, low);
     // c₂ > 0, so the quotient keeps the order of the numerators.
-    let (half, n) = (p.splat(0.5), p.neg_f(c1));
+    let half = p.splat(0.5);
     let vertex = Interval {
-        lo: p.div_rd(p.mul_rd(half, n), c2),
-        hi: p.div_ru(p.mul_ru(half, n), c2),
+        lo: p.div_rd(p.mul_rd(half, n), bend),
+        hi: p.div_ru(p.mul_ru(half, n), bend),
     };
-    (
-        p.select(p.lt(zero, c2), low, p.splat(f64::INFINITY)),
+    Quadratic {
+        c0,
+        c1,
+        c2,
+        low: p.select(up, low, p.splat(f64::INFINITY)),
+        high: p.select(down, p.neg_f(low), p.splat(f64::NEG_INFINITY)),
         vertex,
-    )
+    }
 }
 
 /// The bounds of c₀ + c₁t at one t.
@@ -152,12 +143,9 @@ fn quadratic_range<P: Packet>(p: P, leaf: &Quadratic<P>, t: Interval<P::F>) -> I
         [leaf.c0.hi, leaf.c1.hi, leaf.c2.hi],
     );
     // If the vertex may be inside, the extreme value over all t counts, which is always a bound.
-    let low = p.select(outside(p, leaf.bottom, t), p.splat(f64::INFINITY), leaf.low);
-    let high = p.select(
-        outside(p, leaf.top, t),
-        p.splat(f64::NEG_INFINITY),
-        leaf.high,
-    );
+    let outside = outside(p, leaf.vertex, t);
+    let low = p.select(outside, p.splat(f64::INFINITY), leaf.low);
+    let high = p.select(outside, p.splat(f64::NEG_INFINITY), leaf.high);
     Interval {
         lo: p.min_f(low, horner::least(p, lower, t.lo, t.hi)),
         hi: p.max_f(high, horner::most(p, upper, t.lo, t.hi)),
