@@ -113,7 +113,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
             && p.any(live)
             && let Some(leaf) = S::quadric(self.surface.entries.bound)
         {
-            let first = closed_form(p, leaf, live).first_in(p, leaf, self.over);
+            let first = closed_form(p, leaf, self.over, live);
             let roots = Roots {
                 hit: p.and(live, first.hit),
                 t: first.root,
