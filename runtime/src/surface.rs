@@ -126,7 +126,7 @@ pub trait Surface: Send + Sync {
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10>;
     /// The leaf that is all of the formula with the active rows, if it is of degree ≤ 2: its roots are then found in closed form.
-    fn quadric<P: Packet>(_bound: &Self::Bound<P>) -> Option<&crate::interval::Quadratic<P>> {
+    fn quadric<L: Leaves>(_bound: &Self::Bound<L>) -> Option<&L::Quadratic> {
         None
     }
 }

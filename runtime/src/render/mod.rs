@@ -388,7 +388,7 @@ impl<'a> Job<'a> {
                     within: spans,
                     known: &Hint::OPEN,
                     rows: &job.everything,
-                    thin: self.options.settings.thin,
+                    settings: &self.options.settings,
                 };
                 surface.survey(self.isa, beams, &request, findings);
             }

@@ -64,7 +64,7 @@ impl Cells<'_> {
             within: Span8::ALL,
             known,
             rows,
-            thin: self.job.settings.thin,
+            settings: self.job.settings,
         };
         let solid = self.solid;
         solid.survey(self.job.isa, *self.beams, &request, findings);

@@ -3,8 +3,7 @@
 use glam::{DAffine3, DVec3};
 
 use crate::interval::{
-    Arithmetic, Ball, Fine, Flags, Interval, Jet, Lanes, Leaves, Packet, Parameter, Quadratic,
-    Rebind, Scalar,
+    Arithmetic, Ball, Fine, Flags, Interval, Jet, Lanes, Leaves, Packet, Parameter, Rebind, Scalar,
 };
 use crate::ray::Rays;
 use crate::surface::{Active, ParameterError, Report, Surface, Terms};
@@ -342,8 +341,8 @@ impl<S: Surface> Surface for Placed<S> {
         jet
     }
 
-    fn quadric<P: Packet>(bound: &Self::Bound<P>) -> Option<&Quadratic<P>> {
-        S::quadric(bound)
+    fn quadric<L: Leaves>(bound: &Self::Bound<L>) -> Option<&L::Quadratic> {
+        S::quadric::<L>(bound)
     }
 }
 

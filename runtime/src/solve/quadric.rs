@@ -124,12 +124,7 @@ fn guess<P: Packet>(
 
 /// m − f(m)/f'
 #[inline(always)]
-fn newton<P: Packet>(
-    p: P,
-    leaf: &Quadratic<P>,
-    m: P::F,
-    slope: &Interval<P::F>,
-) -> Interval<P::F> {
+fn newton<P: Packet>(p: P, leaf: &Quadratic<P>, m: P::F, slope: &Interval<P::F>) -> Interval<P::F> {
     let (step, _) = p.div(At(m).quadratic(p, leaf), *slope);
     Interval {
         lo: p.sub_rd(m, step.hi),

@@ -95,6 +95,9 @@ impl<S: Surface, P: Packet> Bundle<P> for OverGroup<'_, S, P> {
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin) {
         p.call(AllTerms { of: self, over, to });
     }
+    fn is_closed(&self) -> bool {
+        S::quadric(&self.bound).is_some()
+    }
 }
 
 struct AllTerms<'a, 'b, S: Surface, P: Packet> {

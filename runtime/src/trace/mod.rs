@@ -111,7 +111,7 @@ impl<S: Surface, P: Packet> FirstRoots<'_, '_, S, P> {
         let mut closed = None;
         if self.settings.closed_forms
             && p.any(live)
-            && let Some(leaf) = S::quadric(self.surface.entries.bound)
+            && let Some(leaf) = S::quadric::<P>(self.surface.entries.bound)
         {
             let first = closed_form(p, leaf, self.over, live);
             let roots = Roots {

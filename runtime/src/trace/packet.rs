@@ -236,7 +236,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         self.tile.counts.note(active);
         let entries = Entries::bind(p, self.prepared, &rays, active, &mut *self.bound);
         // A closed form needs no bracket.
-        let closed = self.settings.closed_forms && S::quadric(entries.bound).is_some();
+        let closed = self.settings.closed_forms && S::quadric::<P>(entries.bound).is_some();
         let known = known.filter(|_| !closed);
         let single = known.as_ref().map_or(p.none(), |known| known.found);
         self.tile.counts.single += u64::from(p.bits(single).count_ones());

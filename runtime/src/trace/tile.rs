@@ -137,7 +137,7 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
             within,
             known,
             rows,
-            thin: self.settings.thin,
+            settings: self.settings,
         };
         Scout::survey(self.p, *surface, &request, findings);
     }

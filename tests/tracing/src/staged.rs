@@ -365,7 +365,7 @@ impl Surface for Ball {
         unreachable!("the tracer does not use Hessians in space")
     }
     #[inline(always)]
-    fn quadric<P: Packet>(bound: &Quadratic<P>) -> Option<&Quadratic<P>> {
+    fn quadric<L: Leaves>(bound: &L::Quadratic) -> Option<&L::Quadratic> {
         Some(bound)
     }
 }

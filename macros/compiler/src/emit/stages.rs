@@ -240,9 +240,9 @@ impl Compiled<'_> {
         };
         quote! {
             #[inline(always)]
-            fn quadric<P: __zeroset::Packet>(
-                bound: &Self::Bound<P>,
-            ) -> __zeroset::Option<&__zeroset::Quadratic<P>> {
+            fn quadric<L: __zeroset::Leaves>(
+                bound: &Self::Bound<L>,
+            ) -> __zeroset::Option<&L::Quadratic> {
                 #code
             }
         }

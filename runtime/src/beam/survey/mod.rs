@@ -6,7 +6,7 @@ mod single;
 
 use super::{Frame, Grid, Group, Hint, Rows, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
-use crate::solve::{Enclosed, select};
+use crate::solve::{Enclosed, Settings, select};
 use crate::span::Span8;
 use crate::surface::Active;
 use march::Surveyor;
@@ -25,6 +25,10 @@ pub(crate) trait Bundle<P: Packet> {
     fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2>;
     /// The terms of these beams' rows over a piece.
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin);
+    /// Do rays find their roots in closed form with these beams' rows?
+    fn is_closed(&self) -> bool {
+        false
+    }
     /// Do rays cost so much that beams are worth a second try?
     fn is_dear(&self) -> bool {
         false
@@ -52,8 +56,7 @@ pub(crate) struct Request<'a> {
     pub known: &'a Hint,
     /// The rows that matter in them.
     pub rows: &'a Rows,
-    /// Choose among these rows?
-    pub thin: bool,
+    pub settings: &'a Settings,
 }
 
 /// What is found out about eight beams.
@@ -207,7 +210,10 @@ impl<P: Packet> Survey<'_, '_, P> {
             count: &mut self.findings.count,
         };
         let mut found = surveyor.march();
-        if p.any(found.open) {
+        // Closed forms need no bracket. Whole pixels may be full, and what is known of them spares the beams inside.
+        let Request { settings, grid, .. } = self.request;
+        let closed = settings.closed_forms && !grid.whole && surveyor.surface.is_closed();
+        if p.any(found.open) && !closed {
             surveyor.prove_single(&mut found);
         }
         let t = Interval {
@@ -216,7 +222,7 @@ impl<P: Packet> Survey<'_, '_, P> {
         };
         found.inside = p.and(found.one, group.inside(p, &t, self.request.space.domain));
         let (thin, rows) = (&mut self.findings.thin, &mut self.findings.rows);
-        if !self.request.thin || !self.request.rows.worthwhile() || !active.is_open() {
+        if !self.request.settings.thin || !self.request.rows.worthwhile() || !active.is_open() {
             let open = p.bits(found.open);
             let open = rows
                 .iter_mut()

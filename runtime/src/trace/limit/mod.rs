@@ -105,7 +105,7 @@ impl<S: Surface> Limit<S> {
             prepared: &limit.prepared,
             view: &limit.view(),
             beams: limit.with_beams(),
-            thin: options.settings.thin,
+            settings: &options.settings,
             picture,
             plan: &mut plan,
         });

@@ -10,7 +10,7 @@ use crate::render::Rendering;
 use crate::render::tile::{
     BLOCK, CELLS, GRID_OF_TILES, PACKETS_OF_CELL, TILE, TILES_OF_BLOCK, Tile, View, blocks,
 };
-use crate::solve::{Along, differentiable, excluded, nonzero};
+use crate::solve::{Along, Settings, differentiable, excluded, nonzero};
 use crate::span::Span8;
 use crate::surface::{Active, Surface};
 use crate::verdict::Verdict;
@@ -66,7 +66,7 @@ pub(super) struct Make<'a, S: Surface> {
     pub prepared: &'a S::Prepared,
     pub view: &'a View<'a>,
     pub beams: WithBeams<'a>,
-    pub thin: bool,
+    pub settings: &'a Settings,
     pub picture: &'a Rendering,
     pub plan: &'a mut Plan,
 }
@@ -166,7 +166,7 @@ impl<S: Surface, P: Packet> Maker<'_, '_, S, P> {
             within: Span8::ALL,
             known: hint,
             rows,
-            thin: self.make.thin,
+            settings: self.make.settings,
         };
         Scout::survey(p, self.over as &mut dyn Bundle<P>, &request, &mut findings);
         let near = space.frame.near;
