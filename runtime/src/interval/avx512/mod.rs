@@ -224,10 +224,7 @@ impl<R: Rounding> Lanes for Avx512<R> {
     }
     #[inline(always)]
     fn mend(self, a: __m512d) -> __m512d {
-        cpu!(_mm512_maskz_mov_pd(
-            _mm512_cmp_pd_mask::<_CMP_ORD_Q>(a, a),
-            a
-        ))
+        cpu!(_mm512_fixupimm_pd::<0>(a, a, _mm512_set1_epi64(NAN_TO_ZERO)))
     }
 
     #[inline(always)]
@@ -318,6 +315,9 @@ impl<R: Rounding> Lanes for Avx512<R> {
         rounded!(_mm512_fmadd_round_pd::<UP>(a, b, c))
     }
 }
+
+/// For `fixupimm`: quiet and signalling NaN, the two kinds of operands that come first, become +0, others stay.
+const NAN_TO_ZERO: i64 = 0x88;
 
 impl<R: Rounding> Enclose for Avx512<R> {
     #[inline(always)]
