@@ -20,8 +20,8 @@ const PATIENCE: u8 = 2;
 
 impl Rows {
     /// May it be worth a look which of them matter?
-    pub fn worthwhile(&self) -> bool {
-        self.vain < PATIENCE
+    pub fn worthwhile(&self, whole: bool) -> bool {
+        self.vain < if whole { PATIENCE } else { 1 }
     }
 
     /// All that there are.

@@ -67,7 +67,7 @@ impl<P: Packet> Surveyor<'_, P> {
         } = *self.stretch;
         let (mut open, mut waiting) = (p.none(), p.none());
         let mut front = start;
-        let shortest = p.mul_rn(self.group.width(p, front), p.splat(SHORTEST));
+        let shortest = p.mul_rn(self.group.width(p, front), p.splat(if keenly { 0.35 } else { SHORTEST }));
         let mut length = p.max_f(first, shortest);
         let mut round = 0;
         while p.any(live) {

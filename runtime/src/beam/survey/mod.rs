@@ -222,7 +222,7 @@ impl<P: Packet> Survey<'_, '_, P> {
         };
         found.inside = p.and(found.one, group.inside(p, &t, self.request.space.domain));
         let (thin, rows) = (&mut self.findings.thin, &mut self.findings.rows);
-        if !self.request.settings.thin || !self.request.rows.worthwhile() || !active.is_open() {
+        if !self.request.settings.thin || !self.request.rows.worthwhile(grid.whole) || !active.is_open() {
             let open = p.bits(found.open);
             let open = rows
                 .iter_mut()
