@@ -8,7 +8,9 @@ pub use crate::language;
 pub use crate::ray::Rays;
 pub use crate::solid::{Operand, Solid};
 pub use crate::surface::Row as ActiveRow;
-pub use crate::surface::{Active, Continuity, Operations, ParameterError, Report, Surface, Terms};
+pub use crate::surface::{
+    Active, Continuity, Operations, ParameterError, Report, Surface, Terms, Work,
+};
 pub use std::default::Default;
 pub use std::ops::{BitAnd, BitOr, Not, Sub};
 pub use std::option::Option;

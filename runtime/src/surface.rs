@@ -125,6 +125,8 @@ pub trait Surface: Send + Sync {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10>;
+    /// What evaluations cost.
+    const WORK: Work = Work::UNKNOWN;
     /// The leaf that is all of the formula with the active rows, if it is of degree ≤ 2: its roots are then found in closed form.
     fn quadric<L: Leaves>(_bound: &Self::Bound<L>) -> Option<&L::Quadratic> {
         None
@@ -203,6 +205,46 @@ pub struct Active {
     /// Were rows or sides left out because their sign is certain? Then f has its sign and its zeros, but elsewhere not its
     /// value: what is proved of it with other rows does not hold for it.
     pub by_sign: bool,
+}
+
+/// What evaluations of f cost along a ray, roughly, in additions of two enclosures.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    /// Outside of folds.
+    pub whole: u32,
+    /// A row of each outermost fold.
+    pub rows: &'static [u32],
+    /// What is computed only where the first number of a choice is less, and only where the second is.
+    pub sides: &'static [[u32; 2]],
+}
+
+impl Work {
+    /// Nothing is known.
+    pub const UNKNOWN: Work = Work {
+        whole: 0,
+        rows: &[],
+        sides: &[],
+    };
+
+    /// With what is active.
+    fn of(&self, active: &Active) -> u32 {
+        let rows = self.rows.iter().zip(&active.rows);
+        let rows = rows.map(|(work, rows)| work.saturating_mul(rows.len() as u32));
+        let sides = self.sides.iter().zip(&active.choices);
+        let spared = sides.map(|([first, second], choice)| match choice {
+            Choice::Open => 0,
+            Choice::First => *second,
+            Choice::Second => *first,
+        });
+        let all = rows.fold(self.whole, u32::saturating_add);
+        all.saturating_sub(spared.fold(0, u32::saturating_add))
+    }
+
+    /// Is a list so much less than another that it is worth another look at rays behind where it holds?
+    pub(crate) fn pays(&self, less: &Active, than: &Active) -> bool {
+        let (less, than) = (u64::from(self.of(less)), u64::from(self.of(than)));
+        4 * less <= 3 * than
+    }
 }
 
 /// What is known of a comparison.
@@ -391,4 +433,30 @@ pub enum ParameterError {
         /// How many the formula needs.
         needed: usize,
     },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Active, Choice, Work};
+
+    #[test]
+    fn lists_pay_if_they_spare_a_quarter() {
+        let work = Work {
+            whole: 100,
+            rows: &[10],
+            sides: &[[60, 4]],
+        };
+        let all = Active::everything(&[8], 0, 1);
+        let with = |choice| Active {
+            choices: vec![choice],
+            ..all.clone()
+        };
+        // Where the first number is less, the second side is not computed.
+        assert!(!work.pays(&with(Choice::First), &all));
+        assert!(work.pays(&with(Choice::Second), &all));
+        let rows = |n| Active::everything(&[n], 0, 1);
+        assert!(!work.pays(&rows(4), &all));
+        assert!(work.pays(&rows(3), &all));
+        assert!(Work::UNKNOWN.pays(&all, &all));
+    }
 }

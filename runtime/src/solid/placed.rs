@@ -6,7 +6,7 @@ use crate::interval::{
     Arithmetic, Ball, Fine, Flags, Interval, Jet, Lanes, Leaves, Packet, Parameter, Rebind, Scalar,
 };
 use crate::ray::Rays;
-use crate::surface::{Active, ParameterError, Report, Surface, Terms};
+use crate::surface::{Active, ParameterError, Report, Surface, Terms, Work};
 
 /// The surface f(A₁⁻¹(… Aₙ⁻¹(x))) = 0, for exact affine maps with `f64` entries; as it is without any.
 ///
@@ -340,6 +340,8 @@ impl<S: Surface> Surface for Placed<S> {
         ];
         jet
     }
+
+    const WORK: Work = S::WORK;
 
     fn quadric<L: Leaves>(bound: &Self::Bound<L>) -> Option<&L::Quadratic> {
         S::quadric::<L>(bound)

@@ -143,3 +143,6 @@ fn same_sign<P: Packet>(p: P, a: &Interval<P::F>, b: &Interval<P::F>) -> P::M {
 fn opposite_sign<P: Packet>(p: P, a: &Interval<P::F>, b: &Interval<P::F>) -> P::M {
     same_sign(p, a, &p.neg(*b))
 }
+
+#[cfg(test)]
+mod tests;

@@ -150,6 +150,26 @@ impl Choices {
         if self.is_empty() { 0 } else { self.pairs.len() }
     }
 
+    /// What the nodes cost that are computed on one side of each choice only.
+    pub fn work(&self, nodes: impl Iterator<Item = (Id, u32)>) -> Vec<[u32; 2]> {
+        let mut work = vec![[0; 2]; self.count()];
+        let mut add = |side: Side, cost: u32| {
+            if let Some(sides) = work.get_mut(side / 2) {
+                sides[side % 2] += cost;
+            }
+        };
+        for (id, cost) in nodes {
+            // What is inside of another side is counted for both.
+            let mut at = self.guard(id);
+            for _ in 0..=self.pairs.len() {
+                let Some(side) = at else { break };
+                add(side, cost);
+                at = self.within.get(side / 2).copied().flatten();
+            }
+        }
+        work
+    }
+
     /// The minimum or maximum that a choice is all about, if its sign does.
     pub fn sign(&self, choice: usize) -> Option<Function> {
         self.signs.get(choice).copied().flatten()

@@ -18,6 +18,7 @@ mod signs;
 mod stages;
 mod terms;
 mod text;
+mod work;
 
 pub use item::{FieldHead, definition};
 
@@ -149,9 +150,10 @@ fn members(
     let space = [compiled.space("gradient", 4), compiled.space("hessian", 10)];
     let seen = compiled.seen();
     let report = facts.constant(surface);
-    let quadric = compiled.quadric();
+    let (quadric, work) = (compiled.quadric(), compiled.work());
     Ok(quote! {
         #report
+        #work
         type Prepared = #prepared;
         type Bound<L: __zeroset::Leaves> = #bound;
         #check

@@ -45,13 +45,15 @@ impl<P: Packet> Surveyor<'_, P> {
         );
         let reach = p.to_array(reach);
         let mut all = p.bits(all);
+        let work = self.surface.work();
         for lane in lanes() {
             thin.choose(active, lane, &mut rows[lane].near);
             rows[lane].all.clone_from(&given.all);
             rows[lane].reach = reach[lane];
             rows[lane].vain = 0;
-            // Nothing is left out: it holds as far as before.
-            if !rows[lane].near.is_less_than(active) {
+            // Nothing to speak of is left out: it holds as far as before.
+            let near = &rows[lane].near;
+            if !near.is_less_than(active) || !work.pays(near, active) {
                 rows[lane].near.clone_from(active);
                 rows[lane].vain = given.vain + 1;
                 rows[lane].reach = if to_the_end {

@@ -23,6 +23,8 @@ pub(super) struct Sides<P: Packet> {
 
 /// Beams are not split below so many of their widths: what is nearer is the business of the narrower beams inside.
 const SHORTEST: f64 = 0.5;
+/// The same where beams are to be excluded by all means.
+const KEENLY: f64 = 0.35;
 
 impl<P: Packet> Surveyor<'_, P> {
     #[inline(always)]
@@ -67,7 +69,8 @@ impl<P: Packet> Surveyor<'_, P> {
         } = *self.stretch;
         let (mut open, mut waiting) = (p.none(), p.none());
         let mut front = start;
-        let shortest = p.mul_rn(self.group.width(p, front), p.splat(if keenly { 0.35 } else { SHORTEST }));
+        let shortest = if keenly { KEENLY } else { SHORTEST };
+        let shortest = p.mul_rn(self.group.width(p, front), p.splat(shortest));
         let mut length = p.max_f(first, shortest);
         let mut round = 0;
         while p.any(live) {

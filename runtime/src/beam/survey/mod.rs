@@ -8,7 +8,7 @@ use super::{Frame, Grid, Group, Hint, Rows, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
 use crate::solve::{Enclosed, Settings, select};
 use crate::span::Span8;
-use crate::surface::Active;
+use crate::surface::{Active, Work};
 use march::Surveyor;
 
 /// A surface over eight beams. An object, so that the survey is compiled once per instruction set.
@@ -25,6 +25,10 @@ pub(crate) trait Bundle<P: Packet> {
     fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2>;
     /// The terms of these beams' rows over a piece.
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin);
+    /// What evaluations along rays cost.
+    fn work(&self) -> &'static Work {
+        &Work::UNKNOWN
+    }
     /// Do rays find their roots in closed form with these beams' rows?
     fn is_closed(&self) -> bool {
         false
@@ -222,7 +226,10 @@ impl<P: Packet> Survey<'_, '_, P> {
         };
         found.inside = p.and(found.one, group.inside(p, &t, self.request.space.domain));
         let (thin, rows) = (&mut self.findings.thin, &mut self.findings.rows);
-        if !self.request.settings.thin || !self.request.rows.worthwhile(grid.whole) || !active.is_open() {
+        if !self.request.settings.thin
+            || !self.request.rows.worthwhile(grid.whole)
+            || !active.is_open()
+        {
             let open = p.bits(found.open);
             let open = rows
                 .iter_mut()

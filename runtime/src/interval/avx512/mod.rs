@@ -224,7 +224,11 @@ impl<R: Rounding> Lanes for Avx512<R> {
     }
     #[inline(always)]
     fn mend(self, a: __m512d) -> __m512d {
-        cpu!(_mm512_fixupimm_pd::<0>(a, a, _mm512_set1_epi64(NAN_TO_ZERO)))
+        cpu!(_mm512_fixupimm_pd::<0>(
+            a,
+            a,
+            _mm512_set1_epi64(NAN_TO_ZERO)
+        ))
     }
 
     #[inline(always)]
