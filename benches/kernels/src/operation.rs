@@ -62,7 +62,7 @@ operations! {
     Hypot "hypot" p.hypot(a, b);
     QuadraticLeaf "quadratic" {
         let low = p.splat(-8.0);
-        let leaf = Quadratic { c0: b, c1: c, c2: b, low, high: p.splat(8.0), bottom: c, top: b };
+        let leaf = Quadratic { c0: b, c1: c, c2: b, low, high: p.splat(8.0), vertex: c };
         c.quadratic(p, &leaf)
     };
     Exp "exp" p.exp(b);
