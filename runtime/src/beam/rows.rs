@@ -11,17 +11,18 @@ pub(crate) struct Rows {
     pub reach: f64,
     /// … and everywhere.
     pub all: Active,
-    /// How often in a row nothing could be left out, from wider beams to narrower ones.
+    /// How often in a row nothing to speak of could be left out, from wider beams to narrower ones.
     pub vain: u8,
 }
 
-/// So often is looked in vain before it is given up for the narrower beams inside.
-const PATIENCE: u8 = 2;
+/// So often is looked in vain before it is given up for the narrower beams inside, and before it is for packets of rays.
+const PATIENCE: [u8; 2] = [2, 1];
 
 impl Rows {
-    /// May it be worth a look which of them matter?
+    /// May it be worth a look which of them matter in beams of whole pixels, or in those of packets?
     pub fn worthwhile(&self, whole: bool) -> bool {
-        self.vain < if whole { PATIENCE } else { 1 }
+        let [beams, packets] = PATIENCE;
+        self.vain < if whole { beams } else { packets }
     }
 
     /// All that there are.

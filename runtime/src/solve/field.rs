@@ -54,7 +54,7 @@ pub struct Evaluations {
     pub fine: u64,
     /// Gradients in space, in plain floats.
     pub gradient: u64,
-    /// Rays decided by the discriminant of a quadric, without a search.
+    /// Rays decided by the closed form of a quadric, without a search.
     pub closed: u64,
     /// Operands of solids that were not searched along a ray or a piece of it, because they cannot matter there: one by one
     /// and ray by ray, of rays that beams leave open.

@@ -32,7 +32,7 @@ pub struct Settings {
     /// [`Why::Budget`](crate::verdict::Why::Budget), when all but 1,000 of them are spent (or half, if there are fewer
     /// than 2,000): these finish what was found.
     pub budget: u32,
-    /// Quadrics by their discriminant, without a search.
+    /// Quadrics in closed form, proved by one Newton image, without a search.
     pub closed_forms: bool,
     /// Trace beams of rays before rays.
     pub beams: bool,
