@@ -43,8 +43,8 @@ impl<P: Packet> Surveyor<'_, P> {
             },
             own_sides,
         };
-        let bent = self.try_single(found, &from_front(NEAR, false));
-        if !self.stretch.keenly && p.bits(bent).count_ones() >= MANY {
+        let kinked = self.try_single(found, &from_front(NEAR, false));
+        if !self.stretch.keenly && p.bits(kinked).count_ones() >= MANY {
             p.call(Shorter {
                 surveyor: self,
                 found,
