@@ -223,9 +223,11 @@ fn rows_left_out_change_no_verdict() {
             );
             // On an edge the last places decide which side is seen.
             assert!(1_000 * turned <= hits, "{name}: {turned} normals differ");
-            let less = 10 * bound[0] < 9 * bound[1] || bound[1] == 0 && decided[0] > 500;
+            let less = 10 * bound[0] < 9 * bound[1] || bound[1] == 0 && decided[0] > 100;
+            // Beside a sextic, planes and a ball cost too little to be left out.
+            let worthwhile = name != "cut";
             assert!(
-                hits > 1_000 && less,
+                hits > 1_000 && less == worthwhile,
                 "{name}: {hits}, {bound:?}, {decided:?}"
             );
         }

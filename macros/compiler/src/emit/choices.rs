@@ -150,21 +150,25 @@ impl Choices {
         if self.is_empty() { 0 } else { self.pairs.len() }
     }
 
-    /// What the nodes cost that are computed on one side of each choice only.
+    /// What the nodes cost that are computed on one side of each choice only; those of several sides count for each in part.
     pub fn work(&self, nodes: impl Iterator<Item = (Id, u32)>) -> Vec<[u32; 2]> {
         let mut work = vec![[0; 2]; self.count()];
-        let mut add = |side: Side, cost: u32| {
-            if let Some(sides) = work.get_mut(side / 2) {
-                sides[side % 2] += cost;
-            }
-        };
         for (id, cost) in nodes {
-            // What is inside of another side is counted for both.
-            let mut at = self.guard(id);
-            for _ in 0..=self.pairs.len() {
-                let Some(side) = at else { break };
-                add(side, cost);
-                at = self.within.get(side / 2).copied().flatten();
+            let Some(guard) = self.guard(id) else {
+                continue;
+            };
+            let sides = self.sides(guard);
+            let part = cost.div_ceil(sides.len().max(1) as u32);
+            // What is inside of another side counts there, too.
+            let (mut todo, mut seen) = (Vec::from_iter(sides), HashSet::new());
+            while let Some(side) = todo.pop() {
+                if !seen.insert(side) {
+                    continue;
+                }
+                if let Some(both) = work.get_mut(side / 2) {
+                    both[side % 2] += part;
+                }
+                todo.extend(self.around(side).into_iter().flatten());
             }
         }
         work

@@ -51,9 +51,10 @@ impl<P: Packet> Surveyor<'_, P> {
             rows[lane].all.clone_from(&given.all);
             rows[lane].reach = reach[lane];
             rows[lane].vain = 0;
-            // Nothing to speak of is left out: it holds as far as before.
+            // Nothing is left out, or no side of a choice that is worth it: it holds as far as before.
             let near = &rows[lane].near;
-            if !near.is_less_than(active) || !work.pays(near, active) {
+            let few = active.rows.is_empty() && !work.pays(near, active);
+            if few || !near.is_less_than(active) {
                 rows[lane].near.clone_from(active);
                 rows[lane].vain = given.vain + 1;
                 rows[lane].reach = if to_the_end {
