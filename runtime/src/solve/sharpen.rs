@@ -179,14 +179,18 @@ impl<P: Packet> Second<'_, P> {
         }
     }
 
-    /// All roots of an open piece, at most two, if twice the precision tells.
+    /// All roots of an open piece, at most two, if twice the precision tells. At a kink it does not: that stays in one of the
+    /// parts, however short they are.
     fn separate(&mut self, lane: usize, t: &Interval) -> Option<[Option<Interval>; 2]> {
+        let bend = self.second_derivative(lane, t)?;
         let [before, behind] = self.on(lane, |line| [line.sign(t.lo), line.sign(t.hi)]);
         let change = before? != behind?;
         if !change && self.free(lane, *t, DEPTH) {
             return Some([None; 2]);
         }
-        let bend = self.bend(lane, t)?;
+        if bend.contains(0.0) {
+            return None;
+        }
         self.on(lane, |line| {
             if change {
                 return Some([Some(line.bisect(*t)), None]);
@@ -246,6 +250,12 @@ impl<P: Packet> Second<'_, P> {
 
     /// f'' over a piece of one ray, if it exists there and is not 0.
     fn bend(&mut self, lane: usize, t: &Interval) -> Option<Interval> {
+        let bend = self.second_derivative(lane, t)?;
+        (!bend.contains(0.0)).then_some(bend)
+    }
+
+    /// f'' over a piece of one ray, if it exists there.
+    fn second_derivative(&mut self, lane: usize, t: &Interval) -> Option<Interval> {
         let p = self.field.p;
         let only = p.mask(1 << lane);
         let t = Interval {
@@ -254,11 +264,10 @@ impl<P: Packet> Second<'_, P> {
         };
         let f = self.field.curvature(&t, only);
         let exists = p.bits(twice_differentiable(p, &f.flags, only)) != 0;
-        let bend = Interval {
+        exists.then(|| Interval {
             lo: p.to_array(f.d[2].lo)[lane],
             hi: p.to_array(f.d[2].hi)[lane],
-        };
-        (exists && !bend.contains(0.0)).then_some(bend)
+        })
     }
 }
 

@@ -12,6 +12,7 @@ use crate::render::tile::{Tile, View};
 use crate::scene::TileJob;
 use crate::solve::{Brackets, Events, Roots, Settings};
 use crate::surface::{Active, Surface};
+use crate::verdict::Verdict;
 
 /// Packet after packet of a tile.
 pub(super) struct Packets<'a, S: Surface, C, P: Packet> {
@@ -62,7 +63,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
 
     /// Traces a packet of the tile, of which this much is known: first where few rows of tables matter, and where the
     /// octree's boxes are. Rays that pass the former, or meet what is no certain root, are searched with all rows that matter;
-    /// those that meet it again, along all of their length.
+    /// those that meet it again, with all that there are, where no boxes are either: each from shortly in front of it.
     #[inline(always)]
     pub(super) fn part(&mut self, number: usize, hint: &Hint, rows: &Rows, within: [f64; 2]) {
         let p = self.p;
@@ -139,14 +140,31 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         if p.any(unclear) && !look.is_whole() {
             // What the ends of the search, or rows that were left out, may have caused is looked at again.
             let again = p.and(live, unclear);
+            let from = self.in_front(&roots);
             self.events.clear();
             hit = p.and_not(hit, again);
             left.lanes = p.or(left.lanes, again);
-            left.from = p.select(again, p.splat(0.0), left.from);
+            left.from = p.select(again, from, left.from);
         }
         left.lanes = p.and_not(left.lanes, hit);
         self.hold(number, hit, &roots.t);
         left
+    }
+
+    /// Shortly in front of what each ray met first: up to there it is known to be free.
+    #[cold]
+    fn in_front(&self, roots: &Roots<P>) -> P::F {
+        let p = self.p;
+        let (lo, hi) = (p.to_array(roots.t.lo), p.to_array(roots.t.hi));
+        p.lanes(core::array::from_fn(|lane| {
+            let root = Interval {
+                lo: lo[lane],
+                hi: hi[lane],
+            };
+            let event = self.events.of[lane].first().and_then(Verdict::t);
+            let met = event.unwrap_or(root);
+            met.lo - RUN_UP * met.hi
+        }))
     }
 
     /// Finds the roots of a packet whose rays have one each: on which rays it did. It does not on those that leave the box
@@ -276,6 +294,9 @@ struct Piece<P: Packet> {
     /// How long the first steps are.
     first: f64,
 }
+
+/// How far in front of what it met a ray is searched again, relatively: so f has a certain sign there.
+const RUN_UP: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// All of a ray.
 const ANYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
