@@ -258,6 +258,22 @@ pub enum Choice {
     Second,
 }
 
+impl Choice {
+    /// May the first number be less?
+    #[inline(always)]
+    #[must_use]
+    pub fn first(self) -> bool {
+        self != Choice::Second
+    }
+
+    /// May the second number be less?
+    #[inline(always)]
+    #[must_use]
+    pub fn second(self) -> bool {
+        self != Choice::First
+    }
+}
+
 /// What the rows of a sum add that are left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest {
@@ -285,12 +301,23 @@ impl Active {
         }
     }
 
-    /// Which sides of a choice may matter.
+    /// What is known of each choice of a formula with so many.
+    ///
+    /// # Panics
+    ///
+    /// If it has more.
     #[inline(always)]
     #[must_use]
-    pub fn sides(&self, choice: usize) -> (bool, bool) {
-        let known = self.choices[choice];
-        (known != Choice::Second, known != Choice::First)
+    pub fn known<const N: usize>(&self) -> &[Choice; N] {
+        self.choices
+            .first_chunk()
+            .expect("the choices of another formula")
+    }
+
+    /// Do the active rows and sides tell all about f where they hold? They do without sums: what they compute has the sign and
+    /// the zeros of f, and is no smaller. A sum's derivatives by the active rows do not hold what the others add.
+    pub(crate) fn tells_all(&self) -> bool {
+        self.rest.is_empty()
     }
 
     /// How many rows of a list a look visits.

@@ -162,10 +162,17 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
     }
 
     fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>) {
-        fine_in_space::<S>(self.prepared, &S::everything(self.prepared), point)
+        if self.active.tells_all() {
+            fine_in_space::<S>(self.prepared, self.active, point)
+        } else {
+            fine_in_space::<S>(self.prepared, &S::everything(self.prepared), point)
+        }
     }
 
     fn fine_value(&self, point: &[Ball; 3]) -> Option<(Ball, Flags<Scalar>)> {
+        if self.active.tells_all() {
+            return None;
+        }
         let everything = S::everything(self.prepared);
         let fewer = !self.active.by_sign && self.active.is_less_than(&everything);
         fewer.then(|| {

@@ -274,7 +274,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             known: known.as_ref(),
             first_only: true,
             twice: self.settings.narrowing.twice(true),
-            by_sign: active.by_sign,
+            by_sign: active.by_sign && !active.tells_all(),
             events: &mut self.events,
             cuts: None,
             solver: C::solver(),
@@ -316,7 +316,9 @@ struct Look<'a> {
 impl Look<'_> {
     /// Is all of each ray searched that is of interest?
     fn is_whole(&self) -> bool {
-        self.reach == f64::INFINITY && self.within == ANYWHERE && !self.active.by_sign
+        let active = self.active;
+        let own = !active.by_sign || active.tells_all();
+        own && self.reach == f64::INFINITY && self.within == ANYWHERE
     }
 }
 

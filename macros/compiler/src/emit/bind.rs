@@ -8,13 +8,13 @@ use super::stages::Compiled;
 use crate::graph::{Id, Scope};
 use crate::stage::Leaf;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use std::collections::HashMap;
 
 impl Compiled<'_> {
     /// `unbound`, `bind_leaves` and `bind_series`: the ray stage.
     pub fn bind(&self) -> TokenStream {
-        let top = self.bind_scope(Scope::default());
+        let top = self.bind_top();
         let linear = Literal::usize_unsuffixed(self.layout.top.linear.len());
         let quadratic = Literal::usize_unsuffixed(self.layout.top.quadratic.len());
         let new = self
@@ -23,7 +23,7 @@ impl Compiled<'_> {
             .iter()
             .map(|_| quote!(__zeroset::Vec::new()));
         let active = self.layout.copy_active(&quote!(bound));
-        let sides = self.layout.choices.declare(&quote!(active));
+        let sides = self.layout.choices.known(&quote!(active));
         let mut before = TokenStream::new();
         let shared = self.bind_shared(&mut before);
         let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k, &shared));
@@ -65,6 +65,7 @@ impl Compiled<'_> {
         Polynomial {
             graph: self.graph,
             layout: self.layout,
+            leaves: HashMap::new(),
         }
     }
 
@@ -113,42 +114,35 @@ impl Compiled<'_> {
         (body, linear, quadratic)
     }
 
-    fn bind_scope(&self, scope: Scope) -> TokenStream {
+    /// Writes the leaves without loops around them, each where its guard is alive.
+    fn bind_top(&self) -> TokenStream {
         let store = &self.layout.top;
-        let (body, linear, quadratic) =
-            self.leaves(scope, &store.linear, &store.quadratic, &HashMap::new());
-        if linear.is_empty() && quadratic.is_empty() {
-            return TokenStream::new();
+        let mut target = self.polynomial();
+        let mut nodes = Vec::new();
+        for (part, kind, leaves) in [
+            (0, "Linear", &store.linear),
+            (1, "Quadratic", &store.quadratic),
+        ] {
+            let (part, kind) = (Literal::u8_unsuffixed(part), format_ident!("{kind}"));
+            for (index, leaf) in leaves.iter().enumerate() {
+                let index = Literal::usize_unsuffixed(index);
+                let place = quote!(bound.#part[#index]);
+                if let Some(leaf) = self.staged.leaves.get(*leaf) {
+                    target.leaves.insert(leaf.node, (kind.clone(), place));
+                    nodes.push(leaf.node);
+                }
+            }
         }
-        let linear = self.where_alive(
-            &store.linear,
-            &linear,
-            |i, code| quote!(bound.0[#i] = #code;),
+        let mut body = TokenStream::new();
+        block(
+            self.graph,
+            &mut target,
+            Scope::default(),
+            &nodes,
+            &mut HashMap::new(),
+            &mut body,
         );
-        let quadratic = self.where_alive(
-            &store.quadratic,
-            &quadratic,
-            |j, code| quote!(bound.1[#j] = #code;),
-        );
-        quote!(#body #linear #quadratic)
-    }
-
-    /// Writes leaves of the scope without loops, each where its guard is alive.
-    fn where_alive(
-        &self,
-        leaves: &[usize],
-        codes: &[TokenStream],
-        write: impl Fn(Literal, &TokenStream) -> TokenStream,
-    ) -> TokenStream {
-        let all = leaves
-            .iter()
-            .zip(codes)
-            .enumerate()
-            .map(|(place, (leaf, code))| {
-                let code = write(Literal::usize_unsuffixed(place), code);
-                self.layout.guarded(self.staged, *leaf, code)
-            });
-        all.collect()
+        body
     }
 
     fn bind_rows(&self, k: usize, shared: &HashMap<Id, Coefficients>) -> TokenStream {

@@ -4,7 +4,7 @@
 //! its scope. Inside a block (a function, or a loop's body) the nodes of that scope come in the order of their ids, which
 //! is topological; folds over the same rows that wait for the same things share one loop.
 
-use super::choices::{Side, side};
+use super::choices::Side;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::tree::FoldKind;
@@ -50,8 +50,24 @@ pub trait Target {
     fn guard(&self, _id: Id) -> Option<Side> {
         None
     }
+    /// The region inside of `from` in which code stands that `guard` guards.
+    fn step(&self, _from: Option<Side>, guard: Side) -> Side {
+        guard
+    }
+    /// Whether a region is alive, inside of one that is.
+    fn alive(&self, _region: Side, _inside: Option<Side>) -> TokenStream {
+        TokenStream::new()
+    }
+    /// What follows stands inside of this region.
+    fn stand(&mut self, _region: Option<Side>) {}
+    /// Is a node written to where it is kept as soon as it is computed? Then it need not last until the end of the block.
+    fn keeps(&self, _id: Id) -> bool {
+        false
+    }
+    /// Writes such a node.
+    fn write(&mut self, _id: Id, _value: &Self::Value, _out: &mut TokenStream) {}
     /// The variables that a node's code declares, each with what stands for it where it is not computed.
-    fn declared(&self, _id: Id, _value: &Self::Value) -> Vec<(Ident, TokenStream)> {
+    fn declared(&self, _id: Id, _value: &Self::Value) -> Declared {
         Vec::new()
     }
     /// The variables in which a value stands.
@@ -76,6 +92,7 @@ pub fn block<T: Target>(
         target,
         scope,
         known,
+        region: None,
     };
     block.run(targets, out);
     targets
@@ -89,6 +106,8 @@ struct Block<'a, T: Target> {
     target: &'a mut T,
     scope: Scope,
     known: &'a mut HashMap<Id, T::Value>,
+    /// Where in the code its nodes stand.
+    region: Option<Side>,
 }
 
 /// The nodes that use each node, in a block and in its loops.
@@ -105,43 +124,45 @@ impl Uses {
     }
 }
 
-/// An order in which operands come first, and nodes with the same guard in a row: as they come, if none has a guard. What can be
-/// computed now is taken in the order of the ids, but guarded nodes, if possible, only when all with their guard can be.
+/// An order in which operands come first, and nodes of the same region in a row: as they come, if none has a region. What can be
+/// computed now is taken in the order of the ids, but regions, if possible, only when all of them can be.
 fn runs(graph: &Graph, mut nodes: Vec<(Id, Option<Side>)>) -> Vec<(Option<Side>, Vec<Id>)> {
     let mut runs = Vec::new();
     while !nodes.is_empty() {
         let waiting: HashSet<Id> = nodes.iter().map(|(id, _)| *id).collect();
-        let guards: BTreeSet<Option<Side>> = nodes.iter().map(|(_, guard)| *guard).collect();
-        let able = guards
+        let regions: BTreeSet<Option<Side>> = nodes.iter().map(|(_, region)| *region).collect();
+        let able = regions
             .into_iter()
-            .map(|guard| (guard, able(graph, &nodes, guard, &waiting)));
-        let all = |guard| nodes.iter().filter(|(_, g)| *g == guard).count();
-        let best = able.min_by_key(|(guard, run)| {
-            let part = guard.is_some() && run.len() < all(*guard);
+            .map(|region| (region, able(graph, &nodes, region, &waiting)));
+        let all = |region| nodes.iter().filter(|(_, r)| *r == region).count();
+        let best = able.min_by_key(|(region, run)| {
+            let part = region.is_some() && run.len() < all(*region);
             (run.is_empty(), part, run.first().copied())
         });
-        let Some((guard, run)) = best.filter(|(_, run)| !run.is_empty()) else {
+        let Some((region, run)) = best.filter(|(_, run)| !run.is_empty()) else {
             // Operands come first by their ids: there is always one that can be computed.
             break;
         };
-        nodes.retain(|(id, _)| !run.contains(id));
-        runs.push((guard, run));
+        let done: HashSet<Id> = run.iter().copied().collect();
+        nodes.retain(|(id, _)| !done.contains(id));
+        runs.push((region, run));
     }
     runs
 }
 
-/// The nodes with this guard that can be computed in a row, now.
+/// The nodes of this region that can be computed in a row, now.
 fn able(
     graph: &Graph,
     nodes: &[(Id, Option<Side>)],
-    guard: Option<Side>,
+    region: Option<Side>,
     waiting: &HashSet<Id>,
 ) -> Vec<Id> {
-    let mut run: Vec<Id> = Vec::new();
-    for (id, _) in nodes.iter().filter(|(_, g)| *g == guard) {
-        let ready = |operand: Id| !waiting.contains(&operand) || run.contains(&operand);
+    let (mut run, mut done) = (Vec::new(), HashSet::new());
+    for (id, _) in nodes.iter().filter(|(_, r)| *r == region) {
+        let ready = |operand: Id| !waiting.contains(&operand) || done.contains(&operand);
         if operands(graph.op(*id)).into_iter().all(ready) {
             run.push(*id);
+            done.insert(*id);
         }
     }
     run
@@ -163,6 +184,9 @@ fn sine_and_cosine(graph: &Graph, id: Id, run: &[Id]) -> Option<[Id; 2]> {
     }
 }
 
+/// Variables, each with what stands for it where it is not computed.
+type Declared = Vec<(Ident, TokenStream)>;
+
 /// The folds that one loop computes: the same fold, after the same loops of this block.
 type Loops = BTreeMap<(u32, usize), Vec<Id>>;
 
@@ -178,30 +202,50 @@ impl<T: Target> Block<'_, T> {
             for &id in here.iter().filter(|id| phases.get(id) == Some(&phase)) {
                 match self.graph.op(id) {
                     Op::Fold(_, fold, _) => loops.entry((phase, *fold)).or_default().push(id),
-                    _ => plain.push((id, self.guard(id))),
+                    _ => plain.push(id),
                 }
             }
-            for (guard, run) in runs(self.graph, plain) {
-                match guard {
-                    None => run.iter().for_each(|id| self.operation(*id, &run, out)),
-                    Some(guard) => self.guarded(guard, &run, &uses, out),
-                }
-            }
+            self.nodes(&plain, &uses, out);
             for ((_, fold), ids) in loops {
                 self.emit_loop(fold, &ids, out);
             }
         }
     }
 
-    /// Nodes that one side guards. What is used behind them is declared in front; the others are forgotten.
-    fn guarded(&mut self, guard: Side, run: &[Id], uses: &Uses, out: &mut TokenStream) {
-        let (mut code, mut declared) = (TokenStream::new(), Vec::new());
-        for &id in run {
-            self.operation(id, run, &mut code);
-            if let Some(value) = self.known.get(&id) {
-                declared.extend(self.target.declared(id, value));
+    /// Nodes of the region where the code stands, and of those inside of it. The variables that it declares, each with what
+    /// stands for it where it is not computed.
+    fn nodes(&mut self, nodes: &[Id], uses: &Uses, out: &mut TokenStream) -> Declared {
+        let mut declared = Vec::new();
+        let own = |id: &Id| (*id, self.inner(*id));
+        for (region, run) in runs(self.graph, nodes.iter().map(own).collect()) {
+            if let Some(region) = region {
+                declared.extend(self.inside(region, &run, uses, out));
+                continue;
+            }
+            for id in &run {
+                self.operation(*id, &run, out);
+                if let Some(value) = self.known.get(id) {
+                    declared.extend(self.target.declared(*id, value));
+                }
             }
         }
+        declared
+    }
+
+    /// The region inside of this one where a node stands.
+    fn inner(&self, id: Id) -> Option<Side> {
+        let guard = self.guard(id).filter(|guard| Some(*guard) != self.region)?;
+        Some(self.target.step(self.region, guard))
+    }
+
+    /// The nodes of a region inside of this one. What is used behind them is declared in front; the others are forgotten.
+    fn inside(&mut self, region: Side, run: &[Id], uses: &Uses, out: &mut TokenStream) -> Declared {
+        let outer = self.region.replace(region);
+        self.target.stand(self.region);
+        let mut code = TokenStream::new();
+        let mut declared = self.nodes(run, uses, &mut code);
+        self.region = outer;
+        self.target.stand(outer);
         let inside: HashSet<Id> = run.iter().copied().collect();
         let mut lasting = HashSet::new();
         for id in run {
@@ -213,17 +257,23 @@ impl<T: Target> Block<'_, T> {
             }
         }
         declared.retain(|(name, _)| lasting.contains(name));
-        let (names, nothing): (Vec<_>, Vec<_>) = declared.into_iter().unzip();
-        let of = side(guard);
+        let names: Vec<_> = declared.iter().map(|(name, _)| name).collect();
+        let nothing = declared.iter().map(|(_, nothing)| nothing);
+        let alive = self.target.alive(region, outer);
         out.extend(quote! {
-            let (#(#names,)*) = if #of { #code (#(#names,)*) } else { (#(#nothing,)*) };
+            let (#(#names,)*) = if #alive { #code (#(#names,)*) } else { (#(#nothing,)*) };
         });
+        declared
     }
 
     fn uses(&self, targets: &[Id]) -> Uses {
         let mut uses = Uses {
             by: HashMap::new(),
-            targets: targets.iter().copied().collect(),
+            targets: targets
+                .iter()
+                .copied()
+                .filter(|id| !self.target.keeps(*id))
+                .collect(),
         };
         for id in self.graph.reachable(targets, |id| self.target.ready(id)) {
             if !self.target.ready(id) {
@@ -248,7 +298,7 @@ impl<T: Target> Block<'_, T> {
                 if self.guard(id).is_none()
                     && let Some(value) = self.target.given(id, out)
                 {
-                    self.known.insert(id, value);
+                    self.hold(id, value, out);
                     continue;
                 }
                 here.push(id);
@@ -304,7 +354,7 @@ impl<T: Target> Block<'_, T> {
             return;
         }
         if let Some(value) = self.target.given(id, out) {
-            self.known.insert(id, value);
+            self.hold(id, value, out);
             return;
         }
         let known = &*self.known;
@@ -317,6 +367,11 @@ impl<T: Target> Block<'_, T> {
             return;
         }
         let value = self.target.operation(id, &values, out);
+        self.hold(id, value, out);
+    }
+
+    fn hold(&mut self, id: Id, value: T::Value, out: &mut TokenStream) {
+        self.target.write(id, &value, out);
         self.known.insert(id, value);
     }
 
@@ -347,7 +402,7 @@ impl<T: Target> Block<'_, T> {
         out.extend(quote! { #before #header { #body } });
         for (id, value) in after {
             let value = self.target.finish(id, value, out);
-            self.known.insert(id, value);
+            self.hold(id, value, out);
         }
     }
 }

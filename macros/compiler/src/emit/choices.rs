@@ -10,8 +10,6 @@ use crate::exact::Rational;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::stage::Staged;
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// A side: twice the choice's number, and one more where the first number is not less. Behind the sides come unions of
@@ -25,20 +23,22 @@ const MOST: usize = 4;
 #[derive(Debug, Default)]
 pub struct Choices {
     /// The numbers that are compared.
-    pairs: Vec<(Id, Id)>,
+    pub(super) pairs: Vec<(Id, Id)>,
     /// Is there a minimum or maximum of them?
     extreme: Vec<bool>,
     /// Is it all that they are compared for, and does its sign do? Then this is which of the two.
     signs: Vec<Option<Function>>,
     /// What guards each choice.
-    within: Vec<Option<Side>>,
+    pub(super) within: Vec<Option<Side>>,
     /// The nodes that are 0 unless a side is alive.
     zeros: HashMap<Id, Side>,
     /// The unions, each with its sides.
-    unions: Vec<BTreeSet<Side>>,
+    pub(super) unions: Vec<BTreeSet<Side>>,
     /// The guarded nodes of the segment stage, and those that leaves are made of.
-    guards: HashMap<Id, Side>,
-    shapes: HashMap<Id, Side>,
+    pub(super) guards: HashMap<Id, Side>,
+    pub(super) shapes: HashMap<Id, Side>,
+    /// The innermost side or union around each of them.
+    pub(super) around: Vec<Option<Side>>,
 }
 
 /// The numbers that a node compares; where the first is less, its first branch is taken.
@@ -104,40 +104,85 @@ impl Choices {
                 choices.pairs.push(pair);
             }
         }
-        choices.within = vec![None; choices.pairs.len()];
-        choices.extreme = choices
-            .pairs
-            .iter()
-            .map(|of| {
-                let extreme = |id: &Id| matches!(graph.op(*id), Op::Binary(..));
-                nodes
-                    .iter()
-                    .filter(|id| extreme(id))
-                    .any(|id| pair(graph, *id) == Some(*of))
-            })
-            .collect();
         choices.signs = choices
             .pairs
             .iter()
             .map(|of| sign(graph, signs, &nodes, *of))
             .collect();
+        if choices.guard_all(graph, &nodes, &roots, &ready) {
+            choices.shapes = choices.of_leaves(graph, staged, &nodes);
+            choices.around = choices.nested();
+            choices
+        } else {
+            Choices::default()
+        }
+    }
+
+    /// The same choices in space, of f and its gradient: under the same numbers.
+    pub fn in_space(
+        &self,
+        graph: &Graph,
+        staged: &Staged,
+        roots: &[Id],
+        ready: impl Fn(Id) -> bool,
+    ) -> Choices {
+        let nodes = graph.reachable(roots, &ready);
+        let made = nodes.iter().filter_map(|id| pair(graph, *id));
+        let image = |(a, b): (Id, Id)| Some((staged.image(a)?, staged.image(b)?));
+        let same: HashMap<(Id, Id), (Id, Id)> =
+            made.filter_map(|of| Some((image(of)?, of))).collect();
+        // f is compared with nothing: that stands for a choice that is not made in space, but inside of a leaf.
+        let (Some(&f), false) = (roots.first(), self.is_empty()) else {
+            return Choices::default();
+        };
+        let mut choices = Choices {
+            pairs: self
+                .pairs
+                .iter()
+                .map(|of| same.get(of).copied().unwrap_or((f, f)))
+                .collect(),
+            ..Choices::default()
+        };
+        if choices.guard_all(graph, &nodes, roots, &ready) {
+            choices.around = choices.nested();
+            choices
+        } else {
+            Choices::default()
+        }
+    }
+
+    /// Finds out what guards choices, and what guards nodes; false if choices guard each other.
+    fn guard_all(
+        &mut self,
+        graph: &Graph,
+        nodes: &[Id],
+        roots: &[Id],
+        ready: &impl Fn(Id) -> bool,
+    ) -> bool {
+        self.within = vec![None; self.pairs.len()];
+        let extreme = |of: &(Id, Id)| {
+            nodes
+                .iter()
+                .filter(|id| matches!(graph.op(**id), Op::Binary(..)))
+                .any(|id| pair(graph, *id) == Some(*of))
+        };
+        self.extreme = self.pairs.iter().map(extreme).collect();
         for _ in 0..16 {
-            choices.guards = choices.guarded(graph, &nodes, &roots, &ready);
-            let within = choices.standing(graph, &nodes);
-            if within == choices.within {
+            self.guards = self.guarded(graph, nodes, roots, ready);
+            let within = self.standing(graph, nodes);
+            if within == self.within {
                 break;
             }
-            choices.within = within;
+            self.within = within;
         }
-        choices.guards = choices.guarded(graph, &nodes, &roots, &ready);
-        if choices.standing(graph, &nodes) != choices.within || !choices.has_order() {
-            return Choices::default();
+        self.guards = self.guarded(graph, nodes, roots, ready);
+        if self.standing(graph, nodes) != self.within || !self.has_order() {
+            return false;
         }
         // What guards a choice is known: from here on nodes may be narrowed to its sides.
-        choices.zeros = choices.vanishing(graph, &nodes);
-        choices.guards = choices.guarded(graph, &nodes, &roots, &ready);
-        choices.shapes = choices.of_leaves(graph, staged, &nodes);
-        choices
+        self.zeros = self.vanishing(graph, nodes);
+        self.guards = self.guarded(graph, nodes, roots, ready);
+        true
     }
 
     /// Are there none?
@@ -168,7 +213,7 @@ impl Choices {
                 if let Some(both) = work.get_mut(side / 2) {
                     both[side % 2] += part;
                 }
-                todo.extend(self.around(side).into_iter().flatten());
+                todo.extend(self.outer(side).into_iter().flatten());
             }
         }
         work
@@ -198,51 +243,13 @@ impl Choices {
         self.pairs.iter().position(|p| *p == pair)
     }
 
-    /// Declares the sides and their unions, each a `bool`: whether it is alive, as `active` says.
-    pub fn declare(&self, active: &TokenStream) -> TokenStream {
-        if self.is_empty() {
-            return TokenStream::new();
-        }
-        let mut declared = HashSet::new();
-        let mut out = TokenStream::new();
-        for k in self.order() {
-            let (first, second) = (side(2 * k), side(2 * k + 1));
-            let number = Literal::usize_unsuffixed(k);
-            let outer = self.within[k].map(|s| {
-                self.declare_union(s, &mut declared, &mut out);
-                let s = side(s);
-                quote!(let (#first, #second) = (#s & #first, #s & #second);)
-            });
-            out.extend(quote!(let (#first, #second) = #active.sides(#number); #outer));
-        }
-        let guards: BTreeSet<Side> = self
-            .guards
-            .values()
-            .chain(self.shapes.values())
-            .copied()
-            .collect();
-        for guard in guards {
-            self.declare_union(guard, &mut declared, &mut out);
-        }
-        out
-    }
-
-    /// Declares a union, if it is one and not declared yet, behind its sides.
-    fn declare_union(&self, of: Side, declared: &mut HashSet<Side>, out: &mut TokenStream) {
-        if of >= 2 * self.pairs.len() && declared.insert(of) {
-            let name = side(of);
-            let sides = self.sides(of).into_iter().map(side);
-            out.extend(quote!(let #name = #(#sides)|*;));
-        }
-    }
-
     /// Each choice, and the numbers that it compares.
     pub fn all(&self) -> impl Iterator<Item = (usize, (Id, Id))> {
         self.pairs.iter().copied().enumerate().take(self.count())
     }
 
     /// The sides of a union, or the side.
-    fn sides(&self, of: Side) -> BTreeSet<Side> {
+    pub(super) fn sides(&self, of: Side) -> BTreeSet<Side> {
         let union = of.checked_sub(2 * self.pairs.len());
         match union.and_then(|number| self.unions.get(number)) {
             Some(sides) => sides.clone(),
@@ -251,19 +258,19 @@ impl Choices {
     }
 
     /// The sides that guard the choice of a side.
-    fn around(&self, side: Side) -> Option<BTreeSet<Side>> {
+    fn outer(&self, side: Side) -> Option<BTreeSet<Side>> {
         let guard = self.within.get(side / 2).copied().flatten()?;
         Some(self.sides(guard))
     }
 
     /// Is one of `set` alive wherever this side is? Yes, if each way outward meets the set.
-    fn covers(&self, set: &BTreeSet<Side>, side: Side) -> bool {
+    pub(super) fn covers(&self, set: &BTreeSet<Side>, side: Side) -> bool {
         let (mut todo, mut seen) = (vec![side], HashSet::new());
         while let Some(side) = todo.pop() {
             if set.contains(&side) || !seen.insert(side) {
                 continue;
             }
-            match self.around(side) {
+            match self.outer(side) {
                 Some(outer) => todo.extend(outer),
                 None => return false,
             }
@@ -286,7 +293,7 @@ impl Choices {
             if let Some(inner) = set.iter().find(|s| within(s)).copied() {
                 set.remove(&inner);
             } else if let Some(wide) = wide {
-                set.extend(self.around(wide)?);
+                set.extend(self.outer(wide)?);
                 set.remove(&wide);
                 if both.is_some() {
                     set.remove(&(wide ^ 1));
@@ -311,10 +318,10 @@ impl Choices {
     }
 
     /// How many choices guard this one, one inside the other; as many as there are where that is a circle.
-    fn depth(&self, choice: usize) -> usize {
+    pub(super) fn depth(&self, choice: usize) -> usize {
         let (mut depth, mut level) = (0, BTreeSet::from([choice]));
         while depth <= self.pairs.len() {
-            let outer = level.iter().filter_map(|k| self.around(2 * k)).flatten();
+            let outer = level.iter().filter_map(|k| self.outer(2 * k)).flatten();
             level = outer.map(|side| side / 2).collect();
             if level.is_empty() {
                 break;
@@ -322,13 +329,6 @@ impl Choices {
             depth += 1;
         }
         depth
-    }
-
-    /// The choices, each behind those that guard it.
-    fn order(&self) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..self.pairs.len()).collect();
-        order.sort_by_cached_key(|k| self.depth(*k));
-        order
     }
 
     /// Does no choice guard itself?
@@ -489,9 +489,4 @@ impl Choices {
             .filter_map(|(id, side)| Some((id, side?)))
             .collect()
     }
-}
-
-/// The variable of a side.
-pub fn side(side: Side) -> Ident {
-    format_ident!("g{side}")
 }

@@ -1,9 +1,10 @@
 //! Code in the runtime's `Arithmetic`: interval packets, scalars, plain float vectors.
 
 use super::block::Target;
-use super::choices::{Side, branches, side};
+use super::choices::{Choices, Side, branches};
 use super::folds::{Visit, accumulator, enter_fields, enter_fine_rows, enter_rows};
 use super::layout::Layout;
+use super::regions::side;
 use super::text::{flags, index, interval, number, variable};
 use crate::form::Form;
 use crate::functions::Function;
@@ -21,7 +22,7 @@ pub enum Stage {
     Segment,
     /// At points of space: surface values, coordinates, all rows.
     Space,
-    /// The same with the active rows, where these may be fewer.
+    /// The same with the active rows, where these may be fewer, and those sides of choices that matter.
     Seen,
 }
 
@@ -35,6 +36,10 @@ pub struct Enclosure<'a> {
     pub stage: Stage,
     /// Names of the fields; for tables in the surface stage.
     pub fields: &'a [Ident],
+    /// The region in which its code stands.
+    pub region: Option<Side>,
+    /// Does code stand in a row, instead of region in region?
+    pub flat: bool,
 }
 
 /// A variable, and the flags that its value may carry.
@@ -111,7 +116,7 @@ impl Target for Enclosure<'_> {
             let (open, v) = (expression.code, |id: Id| values(id).map(|v| v.name));
             let (first, second) = (v(first), v(second));
             expression.code = quote! {
-                if #yes & #no { #open } else if #yes { #first } else { #second }
+                match (#yes, #no) { (true, true) => #open, (true, _) => #first, _ => #second }
             };
         }
         let (pattern, flagged) = if expression.flagged {
@@ -154,9 +159,29 @@ impl Target for Enclosure<'_> {
 
     fn guard(&self, id: Id) -> Option<Side> {
         match self.stage {
-            Stage::Segment => self.layout.choices.guard(id),
-            Stage::Surface | Stage::Space | Stage::Seen => None,
+            Stage::Segment | Stage::Seen => self.choices().guard(id),
+            Stage::Surface | Stage::Space => None,
         }
+    }
+
+    fn step(&self, from: Option<Side>, guard: Side) -> Side {
+        if self.flat {
+            guard
+        } else {
+            self.choices().step(from, guard)
+        }
+    }
+
+    fn alive(&self, region: Side, inside: Option<Side>) -> TokenStream {
+        if self.flat {
+            side(region).into_token_stream()
+        } else {
+            self.choices().alive(region, inside)
+        }
+    }
+
+    fn stand(&mut self, region: Option<Side>) {
+        self.region = region;
     }
 
     fn declared(&self, id: Id, value: &Value) -> Vec<(Ident, TokenStream)> {
@@ -255,9 +280,20 @@ impl Enclosure<'_> {
     }
 
     /// The sides of the choice that a node makes, if sides are told apart here.
-    fn made(&self, id: Id) -> Option<(Ident, Ident)> {
-        let choice = self.layout.choices.made(self.graph, id)?;
-        (self.stage == Stage::Segment).then(|| (side(2 * choice), side(2 * choice + 1)))
+    fn made(&self, id: Id) -> Option<(TokenStream, TokenStream)> {
+        if matches!(self.stage, Stage::Surface | Stage::Space) {
+            return None;
+        }
+        let choice = self.choices().made(self.graph, id)?;
+        let side = |k| self.alive(2 * choice + k, self.region);
+        Some((side(0), side(1)))
+    }
+
+    fn choices(&self) -> &Choices {
+        match self.stage {
+            Stage::Seen => &self.layout.choices_in_space,
+            _ => &self.layout.choices,
+        }
     }
 
     /// A reference to a stored value. In the naive form each use loads it again, lest rustc shares what the form does not.

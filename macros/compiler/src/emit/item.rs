@@ -269,6 +269,8 @@ fn bound(formula: &Formula, term: &Term, side: &TokenStream) -> Result<TokenStre
         layout: &layout,
         stage: Stage::Surface,
         fields: &[],
+        region: None,
+        flat: false,
     };
     let mut body = TokenStream::new();
     let value = block(

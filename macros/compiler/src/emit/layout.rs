@@ -5,7 +5,8 @@
 //! quadratic leaves, what is active, rows of scope 0, …, polynomials of higher degree). A scope is a set of nested loops; its rows are a `Vec` of arrays
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
-use super::choices::{Choices, side};
+use super::choices::Choices;
+use super::regions::side;
 use super::signs::Signs;
 use super::terms::Terms;
 use crate::form::Form;
@@ -41,6 +42,8 @@ pub struct Layout {
     pub terms: Terms,
     /// The choices whose sides need not all be computed.
     pub choices: Choices,
+    /// The same in space, of f and its gradient.
+    pub choices_in_space: Choices,
     /// Are the surface values kept in twice the precision too?
     pub twice: bool,
     values: HashMap<Id, (Scope, usize)>,
@@ -51,6 +54,8 @@ pub struct Layout {
 
 impl Layout {
     /// Storage for all surface values that the nodes under `roots` use, for the leaves and for the polynomials.
+    ///
+    /// f and its gradient in space are the first four of them.
     pub fn new(graph: &Graph, form: Form, staged: &Staged, roots: &[Id]) -> Layout {
         let (leaves, polynomials) = (&staged.leaves, &staged.polynomials);
         let outermost: Vec<usize> = (0..graph.folds.len())
@@ -59,13 +64,17 @@ impl Layout {
         let ready = |id| form.ready(graph, id);
         let signs = Signs::new(graph, &staged.values(), ready);
         let terms = Terms::new(graph, staged, (&outermost, &signs), ready);
+        let choices = Choices::new(graph, staged, &signs, ready);
+        let space = roots.get(..4).unwrap_or(&[]);
+        let choices_in_space = choices.in_space(graph, staged, space, ready);
         let mut layout = Layout {
             form,
             top: Store::default(),
             rows: Vec::new(),
             outermost,
             terms,
-            choices: Choices::new(graph, staged, &signs, ready),
+            choices,
+            choices_in_space,
             twice: false,
             values: HashMap::new(),
             leaves: Vec::new(),

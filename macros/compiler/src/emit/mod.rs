@@ -10,6 +10,7 @@ mod layout;
 mod polynomial;
 mod prepare;
 mod rebind;
+mod regions;
 mod report;
 mod rows;
 mod scalar;

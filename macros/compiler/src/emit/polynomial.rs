@@ -9,6 +9,7 @@ use crate::graph::{Graph, Id, Op, Scope};
 use crate::tree::FoldKind;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
+use std::collections::HashMap;
 
 /// The target.
 pub struct Polynomial<'a> {
@@ -16,6 +17,8 @@ pub struct Polynomial<'a> {
     pub graph: &'a Graph,
     /// The storage.
     pub layout: &'a Layout,
+    /// The nodes whose leaf is written as soon as its coefficients are there: its type, and its place.
+    pub leaves: HashMap<Id, (Ident, TokenStream)>,
 }
 
 /// The variables of the coefficients: c₀, and where the degree asks for them c₁ and c₂.
@@ -100,6 +103,24 @@ impl Target for Polynomial<'_> {
 
     fn guard(&self, id: Id) -> Option<Side> {
         self.layout.choices.shape(id)
+    }
+
+    fn step(&self, from: Option<Side>, guard: Side) -> Side {
+        self.layout.choices.step(from, guard)
+    }
+
+    fn alive(&self, region: Side, inside: Option<Side>) -> TokenStream {
+        self.layout.choices.alive(region, inside)
+    }
+
+    fn keeps(&self, id: Id) -> bool {
+        self.leaves.contains_key(&id)
+    }
+
+    fn write(&mut self, id: Id, value: &Coefficients, out: &mut TokenStream) {
+        if let Some((kind, place)) = self.leaves.get(&id) {
+            out.extend(quote!(#place = __zeroset::#kind::new(a, #(#value),*);));
+        }
     }
 
     fn declared(&self, _: Id, value: &Coefficients) -> Vec<(Ident, TokenStream)> {

@@ -35,6 +35,8 @@ impl Compiled<'_> {
             layout: self.layout,
             stage,
             fields: self.fields,
+            region: None,
+            flat: false,
         }
     }
 
@@ -94,7 +96,7 @@ impl Compiled<'_> {
         let mut target = self.enclosure(Stage::Segment);
         let (body, jet) = self.jet(&mut target, &targets, 1, HashMap::new());
         let over = self.over(n);
-        let sides = self.layout.choices.declare(&quote!(bound.2));
+        let sides = self.layout.choices.known(&quote!(bound.2));
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
         quote! {
             #[inline(always)]
@@ -114,14 +116,14 @@ impl Compiled<'_> {
 
     /// `terms`, where rows can be left out.
     pub fn terms(&self) -> TokenStream {
-        let body = self
-            .layout
-            .terms
-            .body(self.graph, &mut self.enclosure(Stage::Segment));
+        let mut target = self.enclosure(Stage::Segment);
+        target.flat = true;
+        let body = self.layout.terms.body(self.graph, &mut target);
         if body.is_empty() {
             return body;
         }
-        let sides = self.layout.choices.declare(&quote!(bound.2));
+        let choices = &self.layout.choices;
+        let (known, sides) = (choices.known(&quote!(bound.2)), choices.declare());
         quote! {
             #[inline(always)]
             fn terms<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
@@ -131,6 +133,7 @@ impl Compiled<'_> {
                 t: T,
                 to: &mut impl __zeroset::Terms<A>,
             ) {
+                #known
                 #sides
                 #body
             }
@@ -156,12 +159,14 @@ impl Compiled<'_> {
         }
     }
 
-    /// `seen`: f with the active rows and what the others add, and its gradient from the active rows alone, where rows can be
-    /// left out.
+    /// `seen`: f with the active rows and what the others add, and its gradient from the active rows alone, where rows or sides
+    /// can be left out.
     pub fn seen(&self) -> TokenStream {
-        if self.layout.terms.is_empty() {
+        let choices = &self.layout.choices_in_space;
+        if self.layout.terms.is_empty() && choices.is_empty() {
             return TokenStream::new();
         }
+        let sides = choices.known(&quote!(active));
         let targets: Vec<Id> = self.space.iter().take(4).copied().collect();
         let (body, jet) = self.jet(
             &mut self.enclosure(Stage::Seen),
@@ -177,6 +182,7 @@ impl Compiled<'_> {
                 active: &__zeroset::Active,
                 point: [A::Value; 3],
             ) -> __zeroset::Jet<A::Value, A::Packet, 4> {
+                #sides
                 #body
                 #jet
             }

@@ -2,8 +2,8 @@
 //! that were left out add.
 
 use super::block::block;
-use super::choices::side;
 use super::enclosure::{Enclosure, Value};
+use super::regions::side;
 use super::signs::Signs;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope};
