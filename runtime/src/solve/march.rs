@@ -93,6 +93,9 @@ struct Splits<P: Packet> {
 /// So many splits more than segments that were passed are as good as short segments.
 const SPLITS: f64 = 3.0;
 
+/// Behind a short segment without a root the next is so much longer: what made it short lies behind, mostly.
+const LEAP: f64 = 16.0;
+
 /// Segments of this part of the search are too short for a march that gets on; shorter by 64 at each try that fails.
 const CRAWL: f64 = 1.0 / (1u64 << 14) as f64;
 
@@ -162,7 +165,7 @@ pub(super) fn march<C: Contractor, P: Packet>(
                 p.le(p.sub_rn(pieces.first.hi, pieces.first.lo), shortest),
             ),
         );
-        at.advance(p, end, none, &pieces.first, pieces.next);
+        at.advance(p, (end, short), none, &pieces.first, pieces.next);
         live = p.and_not(live, p.and(none, p.le(end, at.front)));
         if p.any(stuck) {
             // At a front that cannot be told from a root only its neighbourhood is in question.
@@ -285,7 +288,14 @@ impl<P: Packet> Pace<P> {
 impl<P: Packet> Front<P> {
     /// Moves on: behind T where it holds no root, else to the first piece.
     #[inline(always)]
-    fn advance(&mut self, p: P, end: P::F, none: P::M, first: &Interval<P::F>, next: P::F) {
+    fn advance(
+        &mut self,
+        p: P,
+        (end, short): (P::F, P::F),
+        none: P::M,
+        first: &Interval<P::F>,
+        next: P::F,
+    ) {
         let length = p.sub_rn(self.back, self.front);
         let split = p.and_not(p.lt(first.hi, next), none);
         let in_gap = p.and(p.le(self.gap.lo, self.back), p.lt(self.back, self.gap.hi));
@@ -300,7 +310,8 @@ impl<P: Packet> Front<P> {
             &self.gap,
         );
         self.front = p.select(none, behind, first.lo);
-        let longer = p.min_f(p.add_rn(behind, p.add_rn(length, length)), end);
+        let growth = p.select(p.lt(length, short), p.splat(LEAP), p.splat(2.0));
+        let longer = p.min_f(p.add_rn(behind, p.mul_rn(length, growth)), end);
         self.back = p.select(none, p.max_f(longer, behind), first.hi);
     }
 
