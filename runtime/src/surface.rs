@@ -127,6 +127,8 @@ pub trait Surface: Send + Sync {
     ) -> Jet<A::Value, A::Packet, 10>;
     /// What evaluations cost.
     const WORK: Work = Work::UNKNOWN;
+    /// Does [`seen`](Self::seen) leave out just what segments do, also where it is left out by its sign?
+    const SIGNS_IN_SPACE: bool = false;
     /// The leaf that is all of the formula with the active rows, if it is of degree ≤ 2: its roots are then found in closed form.
     fn quadric<L: Leaves>(_bound: &Self::Bound<L>) -> Option<&L::Quadratic> {
         None
@@ -314,10 +316,11 @@ impl Active {
             .expect("the choices of another formula")
     }
 
-    /// Do the active rows and sides tell all about f where they hold? They do without sums: what they compute has the sign and
-    /// the zeros of f, and is no smaller. A sum's derivatives by the active rows do not hold what the others add.
-    pub(crate) fn tells_all(&self) -> bool {
-        self.rest.is_empty()
+    /// Do these rows and sides of a surface tell all about f where they hold, along rays and in space? They do without sums:
+    /// what they compute has the sign and the zeros of f, and is no smaller; it is the same in both, if what is left out
+    /// by its sign is. A sum's derivatives by the active rows do not hold what the others add.
+    pub(crate) fn tells_all<S: Surface>(&self) -> bool {
+        self.rest.is_empty() && (!self.by_sign || S::SIGNS_IN_SPACE)
     }
 
     /// How many rows of a list a look visits.

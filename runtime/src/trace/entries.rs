@@ -162,7 +162,7 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
     }
 
     fn fine(&self, point: &[Ball; 3]) -> ([Ball; 4], Flags<Scalar>) {
-        if self.active.tells_all() {
+        if self.active.tells_all::<S>() {
             fine_in_space::<S>(self.prepared, self.active, point)
         } else {
             fine_in_space::<S>(self.prepared, &S::everything(self.prepared), point)
@@ -170,7 +170,7 @@ impl<S: Surface, P: Packet> Along<P> for Entries<'_, S, P> {
     }
 
     fn fine_value(&self, point: &[Ball; 3]) -> Option<(Ball, Flags<Scalar>)> {
-        if self.active.tells_all() {
+        if self.active.tells_all::<S>() {
             return None;
         }
         let everything = S::everything(self.prepared);

@@ -80,7 +80,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         };
         loop {
             left = self.search(number, hint, &look, &left);
-            if look.is_whole() || !p.any(left.lanes) {
+            if look.is_whole::<S>() || !p.any(left.lanes) {
                 return;
             }
             look.separated &= !rows.near.by_sign;
@@ -137,7 +137,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         let roots = self.roots(number, look.active, piece, &mut left.spent);
         let mut hit = roots.hit;
         let unclear = p.or(p.mask(self.events.touched), roots.vague);
-        if p.any(unclear) && !look.is_whole() {
+        if p.any(unclear) && !look.is_whole::<S>() {
             // What the ends of the search, or rows that were left out, may have caused is looked at again.
             let again = p.and(live, unclear);
             let from = self.in_front(&roots);
@@ -274,7 +274,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             known: known.as_ref(),
             first_only: true,
             twice: self.settings.narrowing.twice(true),
-            by_sign: active.by_sign && !active.tells_all(),
+            by_sign: active.by_sign && !active.tells_all::<S>(),
             events: &mut self.events,
             cuts: None,
             solver: C::solver(),
@@ -315,9 +315,9 @@ struct Look<'a> {
 
 impl Look<'_> {
     /// Is all of each ray searched that is of interest?
-    fn is_whole(&self) -> bool {
+    fn is_whole<S: Surface>(&self) -> bool {
         let active = self.active;
-        let own = !active.by_sign || active.tells_all();
+        let own = !active.by_sign || active.tells_all::<S>();
         own && self.reach == f64::INFINITY && self.within == ANYWHERE
     }
 }

@@ -29,6 +29,14 @@ implicit! {
     min([cx, cy, cz, s] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 - 1/s } = 0
 }
 
+// As in a dale: the loop of the sum, which is inside of a leaf, chooses the least of all rows in space.
+implicit! {
+    struct Basin { rows: [[f64; 4]] }
+    let bowl = sum([cx, cy, cz, _s] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 };
+    let balls = min([cx, cy, cz, s] in rows) { (x - cx)^2 + (y - cy)^2 + (z - cz)^2 - 1/s };
+    max(balls, bowl/100 - 0.7) = 0
+}
+
 implicit! {
     struct Gem { rows: [[f64; 4]] }
     max([a, b, c, s] in rows) { a*x + b*y + c*z - 0.3 - s/2000 } = 0
@@ -128,6 +136,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("blobs", within(Scene::new().with(Blobs { rows: rows(48) }))),
         ("dale", within(Scene::new().with(Dale { rows: rows(48) }))),
         ("balls", within(Scene::new().with(Balls { rows: rows(48) }))),
+        ("basin", within(Scene::new().with(Basin { rows: rows(48) }))),
         ("gem", within(Scene::new().with(Gem { rows: rows(48) }))),
         ("part", within(Scene::new().with(Part))),
         ("blend", within(Scene::new().with(Blend))),
@@ -267,6 +276,14 @@ fn halved<S: Surface>(surface: &S, rest: Interval) -> [Interval; 2] {
         S::gradient(Fine, &prepared, point),
     ]
     .map(|f| f.d[0].interval())
+}
+
+/// Looks in twice the precision go by what is active only where they leave out the same.
+#[test]
+fn what_signs_leave_out_is_left_out_in_space() {
+    assert!(Balls::SIGNS_IN_SPACE && Gem::SIGNS_IN_SPACE);
+    assert!(Part::SIGNS_IN_SPACE && Flush::SIGNS_IN_SPACE);
+    assert!(!Basin::SIGNS_IN_SPACE);
 }
 
 #[test]

@@ -151,6 +151,20 @@ impl Choices {
         }
     }
 
+    /// Is each choice that is decided by a sign made by one pair of numbers of f in space?
+    pub fn signs_are(&self, graph: &Graph, staged: &Staged) -> bool {
+        let root: Vec<Id> = staged.root.into_iter().collect();
+        let made = graph.reachable(&root, |_| false);
+        let made: HashSet<(Id, Id)> = made.iter().filter_map(|id| pair(graph, *id)).collect();
+        let stands_for = |(a, b): (Id, Id), of: (Id, Id)| {
+            staged.image(a) == Some(of.0) && staged.image(b) == Some(of.1)
+        };
+        let signs = self.pairs.iter().zip(&self.signs);
+        signs
+            .filter(|(_, sign)| sign.is_some())
+            .all(|(of, _)| made.iter().filter(|p| stands_for(**p, *of)).count() == 1)
+    }
+
     /// Finds out what guards choices, and what guards nodes; false if choices guard each other.
     fn guard_all(
         &mut self,

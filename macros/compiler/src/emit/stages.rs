@@ -189,6 +189,16 @@ impl Compiled<'_> {
         }
     }
 
+    /// `SIGNS_IN_SPACE`: does `seen` leave out what segments do by its sign?
+    pub fn signs_in_space(&self) -> TokenStream {
+        let layout = self.layout;
+        let sides = layout.choices.is_empty()
+            || !layout.choices_in_space.is_empty()
+                && layout.choices.signs_are(self.graph, self.staged);
+        let same = sides && layout.terms.signs_are_in_space();
+        quote!(const SIGNS_IN_SPACE: __zeroset::primitive::bool = #same;)
+    }
+
     /// Code for a value and its derivatives, and the `Jet` of them. The first `values` targets are the function itself:
     /// only they can say that it is *empty*. `known` is there already.
     fn jet(

@@ -131,6 +131,12 @@ impl Terms {
         self.lists.is_empty()
     }
 
+    /// May loops in space leave out the rows that are left out by their sign?
+    pub fn signs_are_in_space(&self) -> bool {
+        let signed = self.extremes.iter().filter(|e| e.sign);
+        signed.map(|e| e.fold).all(|fold| self.thins_in_space(fold))
+    }
+
     /// How many sums may leave out rows.
     pub fn rests(&self) -> usize {
         self.sums.len()
