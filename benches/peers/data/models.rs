@@ -153,6 +153,93 @@ model! { Model2(x, y, z)
     a28
 }
 
+// 478 operations
+model! { Temple(x, y, z)
+    let bs0 = max(max(x - 1.0, -1.0 - x), max(max(y + 0.6875, -0.75 - y), max(z - 0.75, -0.5 - z)));
+    let bs1 = max(max(x - 0.9375, -0.9375 - x), max(max(y + 0.625, -0.6875 - y), max(z - 0.6875, -0.5 - z)));
+    let bs2 = max(max(x - 0.875, -0.875 - x), max(max(y + 0.5625, -0.625 - y), max(z - 0.625, -0.5 - z)));
+    let bs3 = max(max(x - 0.8125, -0.8125 - x), max(max(y + 0.5, -0.5625 - y), max(z - 0.5625, -0.5 - z)));
+    let br = max(max(x - 0.875, -0.875 - x), max(max(y - 0.375, 0.25 - y), max(z - 0.5, -0.5 - z)));
+    let bn = max(max(x - 0.25, -0.25 - x), max(max(y - 0.5, 0.375 - y), max(z - 0.5, 0.5 - z)));
+    let x0 = x + 0.65625;
+    let p0 = max(sqrt(x0*x0 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf0 = max(max(x + 0.59375, -0.71875 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh0 = max(max(x + 0.59375, -0.71875 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let x1 = x + 0.46875;
+    let p1 = max(sqrt(x1*x1 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf1 = max(max(x + 0.40625, -0.53125 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh1 = max(max(x + 0.40625, -0.53125 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let x2 = x + 0.28125;
+    let p2 = max(sqrt(x2*x2 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf2 = max(max(x + 0.21875, -0.34375 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh2 = max(max(x + 0.21875, -0.34375 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let x3 = x + 0.09375;
+    let p3 = max(sqrt(x3*x3 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf3 = max(max(x + 0.03125, -0.15625 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh3 = max(max(x + 0.03125, -0.15625 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let x4 = x - 0.09375;
+    let p4 = max(sqrt(x4*x4 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf4 = max(max(x - 0.15625, 0.03125 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh4 = max(max(x - 0.15625, 0.03125 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let x5 = x - 0.28125;
+    let p5 = max(sqrt(x5*x5 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf5 = max(max(x - 0.34375, 0.21875 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh5 = max(max(x - 0.34375, 0.21875 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let x6 = x - 0.46875;
+    let p6 = max(sqrt(x6*x6 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf6 = max(max(x - 0.53125, 0.40625 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh6 = max(max(x - 0.53125, 0.40625 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let x7 = x - 0.65625;
+    let p7 = max(sqrt(x7*x7 + (z - 0.25)*(z - 0.25)) - 0.05, max(y - 0.1875, -0.4375 - y));
+    let bf7 = max(max(x - 0.71875, 0.59375 - x), max(max(y + 0.4375, -0.5 - y), max(z - 0.3125, 0.1875 - z)));
+    let bh7 = max(max(x - 0.71875, 0.59375 - x), max(max(y - 0.25, 0.1875 - y), max(z - 0.3125, 0.1875 - z)));
+    let u0 = min(bs0, bs1);
+    let u1 = min(u0, bs2);
+    let u2 = min(u1, bs3);
+    let u3 = min(u2, br);
+    let u4 = min(u3, bn);
+    let u5 = min(u4, p0);
+    let u6 = min(u5, bf0);
+    let u7 = min(u6, bh0);
+    let u8 = min(u7, p1);
+    let u9 = min(u8, bf1);
+    let u10 = min(u9, bh1);
+    let u11 = min(u10, p2);
+    let u12 = min(u11, bf2);
+    let u13 = min(u12, bh2);
+    let u14 = min(u13, p3);
+    let u15 = min(u14, bf3);
+    let u16 = min(u15, bh3);
+    let u17 = min(u16, p4);
+    let u18 = min(u17, bf4);
+    let u19 = min(u18, bh4);
+    let u20 = min(u19, p5);
+    let u21 = min(u20, bf5);
+    let u22 = min(u21, bh5);
+    let u23 = min(u22, p6);
+    let u24 = min(u23, bf6);
+    let u25 = min(u24, bh6);
+    let u26 = min(u25, p7);
+    let u27 = min(u26, bf7);
+    let u28 = min(u27, bh7);
+    let bw = max(max(x - 0.75, -0.75 - x), max(max(y - 0.25, -0.5 - y), max(z + 0.25, -0.5 - z)));
+    let bo0 = max(max(x + 0.53125, -0.59375 - x), max(max(y - 0.125, -0.25 - y), max(z + 0.25, -0.5 - z)));
+    let v0 = max(bw, -bo0);
+    let bo1 = max(max(x + 0.34375, -0.40625 - x), max(max(y - 0.125, -0.25 - y), max(z + 0.25, -0.5 - z)));
+    let v1 = max(v0, -bo1);
+    let bo2 = max(max(x + 0.15625, -0.21875 - x), max(max(y - 0.125, -0.25 - y), max(z + 0.25, -0.5 - z)));
+    let v2 = max(v1, -bo2);
+    let bo3 = max(max(x - 0.03125, -0.03125 - x), max(max(y - 0.125, -0.25 - y), max(z + 0.25, -0.5 - z)));
+    let v3 = max(v2, -bo3);
+    let bo4 = max(max(x - 0.21875, 0.15625 - x), max(max(y - 0.125, -0.25 - y), max(z + 0.25, -0.5 - z)));
+    let v4 = max(v3, -bo4);
+    let bo5 = max(max(x - 0.40625, 0.34375 - x), max(max(y - 0.125, -0.25 - y), max(z + 0.25, -0.5 - z)));
+    let v5 = max(v4, -bo5);
+    let bo6 = max(max(x - 0.59375, 0.53125 - x), max(max(y - 0.125, -0.25 - y), max(z + 0.25, -0.5 - z)));
+    let v6 = max(v5, -bo6);
+    min(u28, v6)
+}
+
 // 946 operations
 #[cfg(feature = "large")]
 model! { Model3(x, y, z)

@@ -95,6 +95,7 @@ pub fn all() -> Vec<Shape> {
         shell(1e-3),
         model::<Model1>("121 operations"),
         model::<Model2>("498 operations"),
+        model::<crate::models::Temple>("temple, 478 operations"),
         #[cfg(feature = "large")]
         model::<crate::models::Model3>("946 operations"),
     ]

@@ -28,6 +28,16 @@ impl Events {
         core::mem::take(&mut self.of[lane])
     }
 
+    /// Forgets what is known of these rays.
+    pub fn forget(&mut self, lanes: u8) {
+        for (lane, list) in self.of.iter_mut().enumerate() {
+            if lanes >> lane & 1 != 0 {
+                list.clear();
+            }
+        }
+        self.touched &= !lanes;
+    }
+
     /// Forgets all, and keeps the room.
     #[inline(always)]
     pub fn clear(&mut self) {
@@ -95,6 +105,8 @@ const SPLITS: f64 = 3.0;
 
 /// Behind a short segment without a root the next is so much longer: what made it short lies behind, mostly.
 const LEAP: f64 = 16.0;
+/// The same for others.
+const STRIDE: f64 = 3.0;
 
 /// Segments of this part of the search are too short for a march that gets on; shorter by 64 at each try that fails.
 const CRAWL: f64 = 1.0 / (1u64 << 14) as f64;
@@ -310,7 +322,7 @@ impl<P: Packet> Front<P> {
             &self.gap,
         );
         self.front = p.select(none, behind, first.lo);
-        let growth = p.select(p.lt(length, short), p.splat(LEAP), p.splat(2.0));
+        let growth = p.select(p.lt(length, short), p.splat(LEAP), p.splat(STRIDE));
         let longer = p.min_f(p.add_rn(behind, p.mul_rn(length, growth)), end);
         self.back = p.select(none, p.max_f(longer, behind), first.hi);
     }

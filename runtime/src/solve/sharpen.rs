@@ -45,10 +45,19 @@ pub(super) fn sharpen<P: Packet>(mut second: Second<'_, P>, t: &mut Interval<P::
     if second.wide != 0 {
         second.roots(t);
     }
+    let hopeless = if second.bends {
+        second.hopeless(touched)
+    } else {
+        [None; 8]
+    };
     for lane in lanes(touched) {
         let events = second.events.take(lane);
         for event in events {
-            second.event(lane, event);
+            if hopeless[lane].is_some() && event.t() == hopeless[lane] {
+                second.events.push(lane, event);
+            } else {
+                second.event(lane, event);
+            }
         }
         let end = second.field.p.to_array(second.end)[lane];
         for event in &mut second.events.of[lane] {
@@ -147,6 +156,31 @@ impl<P: Packet> Second<'_, P> {
         found
     }
 
+    /// The first piece that is open on each of these rays, if f is a line there or has a kink: no second look tells more.
+    fn hopeless(&mut self, rays: u8) -> [Option<Interval>; 8] {
+        let p = self.field.p;
+        let floor = |event: &&Verdict| matches!(event, Verdict::Unresolved { why, .. } if *why == Why::Floor);
+        let mut open = [None; 8];
+        for lane in lanes(rays) {
+            let event = self.events.of[lane].iter().find(floor);
+            open[lane] = event.and_then(Verdict::t);
+        }
+        let some = lanes(rays).filter(|lane| open[*lane].is_some());
+        let some = p.mask(some.map(|lane| 1 << lane).sum());
+        if !p.any(some) {
+            return open;
+        }
+        let t = open.map(|t| t.unwrap_or(Interval { lo: 0.0, hi: 0.0 }));
+        let f = self.field.curvature(&packet(p, &t), some);
+        let bends = ends(p, &f.d[2]);
+        for lane in lanes(p.bits(twice_differentiable(p, &f.flags, some))) {
+            if bends[lane] != (Interval { lo: 0.0, hi: 0.0 }) {
+                open[lane] = None;
+            }
+        }
+        open
+    }
+
     /// Puts an event back, or what it turns out to be.
     fn event(&mut self, lane: usize, event: Verdict) {
         match event {
@@ -183,8 +217,8 @@ impl<P: Packet> Second<'_, P> {
     /// parts, however short they are.
     fn separate(&mut self, lane: usize, t: &Interval) -> Option<[Option<Interval>; 2]> {
         let bend = self.second_derivative(lane, t)?;
-        let [before, behind] = self.on(lane, |line| [line.sign(t.lo), line.sign(t.hi)]);
-        let change = before? != behind?;
+        let before = self.on(lane, |line| line.sign(t.lo))?;
+        let change = self.on(lane, |line| line.sign(t.hi))? != before;
         if !change && self.free(lane, *t, DEPTH) {
             return Some([None; 2]);
         }

@@ -81,6 +81,15 @@ pub(crate) fn tangent<P: Packet>(
     let same = p.and(bent, ends.same(p));
     let beyond = p.and(same, p.or(hangs, arches));
     let bent = p.and_not(p.and_not(bent, one), beyond);
+    if !p.any(bent) {
+        return Found {
+            none: beyond,
+            brackets,
+            tangent: p.none(),
+            t: *t,
+            residual: zero,
+        };
+    }
     let at_lo = field.slope(&Interval { lo: t.lo, hi: t.lo }, bent);
     let at_hi = field.slope(&Interval { lo: t.hi, hi: t.hi }, bent);
     let turn = Ends {

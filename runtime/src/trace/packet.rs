@@ -139,9 +139,13 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         let unclear = p.or(p.mask(self.events.touched), roots.vague);
         if p.any(unclear) && !look.is_whole::<S>() {
             // What the ends of the search, or rows that were left out, may have caused is looked at again.
-            let again = p.and(live, unclear);
+            let mut again = p.and(live, unclear);
+            if look.active.tells_all::<S>() {
+                let settled = p.mask(self.settled(&over));
+                again = p.and_not(again, p.and_not(settled, roots.vague));
+            }
             let from = self.in_front(&roots);
-            self.events.clear();
+            self.events.forget(p.bits(again));
             hit = p.and_not(hit, again);
             left.lanes = p.or(left.lanes, again);
             left.from = p.select(again, from, left.from);
@@ -149,6 +153,23 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         left.lanes = p.and_not(left.lanes, hit);
         self.hold(number, hit, &roots.t);
         left
+    }
+
+    /// The rays that met something, none of it near the ends of the search: no other search tells more of it.
+    #[cold]
+    fn settled(&self, over: &Interval<P::F>) -> u8 {
+        let (lo, hi) = (self.p.to_array(over.lo), self.p.to_array(over.hi));
+        let is_inside = |lane: usize, event: &Verdict| {
+            let run_up = RUN_UP * hi[lane];
+            event
+                .t()
+                .is_some_and(|t| lo[lane] + run_up < t.lo && t.hi + run_up < hi[lane])
+        };
+        let settled = (0..8).filter(|&lane| {
+            let met = &self.events.of[lane];
+            !met.is_empty() && met.iter().all(|event| is_inside(lane, event))
+        });
+        settled.map(|lane| 1 << lane).sum()
     }
 
     /// Shortly in front of what each ray met first: up to there it is known to be free.
