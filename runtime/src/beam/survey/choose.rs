@@ -46,6 +46,7 @@ impl<P: Packet> Surveyor<'_, P> {
         let reach = p.to_array(reach);
         let mut all = p.bits(all);
         let work = self.surface.work();
+        let before = active.rows.is_empty().then(|| work.of(active));
         for lane in lanes() {
             thin.choose(active, lane, &mut rows[lane].near);
             rows[lane].all.clone_from(&given.all);
@@ -53,7 +54,7 @@ impl<P: Packet> Surveyor<'_, P> {
             rows[lane].vain = 0;
             // Nothing is left out, or no side of a choice that is worth it: it holds as far as before.
             let near = &rows[lane].near;
-            let few = active.rows.is_empty() && !work.pays(near, active);
+            let few = before.is_some_and(|before| !work.pays(near, before));
             if few || !near.is_less_than(active) {
                 rows[lane].near.clone_from(active);
                 rows[lane].vain = given.vain + 1;
