@@ -96,6 +96,6 @@ models = [
     model("Model1", 8, 1, 0.5),
     model("Model2", 30, 2, 0.5),
     temple("Temple", 8),
-    model("Model3", 62, 3, 0.5, '#[cfg(feature = "large")]\n'),
+    model("Model3", 55, 13, 0.5, '#[cfg(feature = "large")]\n'),
 ]
 pathlib.Path(__file__).with_name("models.rs").write_text("// Written by models.py.\n\n" + "\n".join(models))

@@ -97,7 +97,7 @@ pub fn all() -> Vec<Shape> {
         model::<Model2>("498 operations"),
         model::<crate::models::Temple>("temple, 478 operations"),
         #[cfg(feature = "large")]
-        model::<crate::models::Model3>("946 operations"),
+        model::<crate::models::Model3>("841 operations"),
     ]
 }
 

@@ -281,9 +281,14 @@ fn halved<S: Surface>(surface: &S, rest: Interval) -> [Interval; 2] {
 /// Looks in twice the precision go by what is active only where they leave out the same.
 #[test]
 fn what_signs_leave_out_is_left_out_in_space() {
-    assert!(Balls::SIGNS_IN_SPACE && Gem::SIGNS_IN_SPACE);
-    assert!(Part::SIGNS_IN_SPACE && Flush::SIGNS_IN_SPACE);
-    assert!(!Basin::SIGNS_IN_SPACE);
+    let same = [
+        Balls::SIGNS_IN_SPACE,
+        Gem::SIGNS_IN_SPACE,
+        Part::SIGNS_IN_SPACE,
+        Flush::SIGNS_IN_SPACE,
+        Basin::SIGNS_IN_SPACE,
+    ];
+    assert_eq!(same, [true, true, true, true, false]);
 }
 
 #[test]
