@@ -27,7 +27,7 @@ pub struct Choices {
     /// Is there a minimum or maximum of them?
     extreme: Vec<bool>,
     /// Is it all that they are compared for, and does its sign do? Then this is which of the two.
-    signs: Vec<Option<Function>>,
+    pub(super) signs: Vec<Option<Function>>,
     /// What guards each choice.
     pub(super) within: Vec<Option<Side>>,
     /// The nodes that are 0 unless a side is alive.
@@ -42,7 +42,7 @@ pub struct Choices {
 }
 
 /// The numbers that a node compares; where the first is less, its first branch is taken.
-fn pair(graph: &Graph, id: Id) -> Option<(Id, Id)> {
+pub(super) fn pair(graph: &Graph, id: Id) -> Option<(Id, Id)> {
     match graph.op(id) {
         Op::Binary(Function::Min, a, b) => Some((*a, *b)),
         Op::Binary(Function::Max, a, b) => Some((*b, *a)),
@@ -118,55 +118,8 @@ impl Choices {
         }
     }
 
-    /// The same choices in space, of f and its gradient: under the same numbers.
-    pub fn in_space(
-        &self,
-        graph: &Graph,
-        staged: &Staged,
-        roots: &[Id],
-        ready: impl Fn(Id) -> bool,
-    ) -> Choices {
-        let nodes = graph.reachable(roots, &ready);
-        let made = nodes.iter().filter_map(|id| pair(graph, *id));
-        let image = |(a, b): (Id, Id)| Some((staged.image(a)?, staged.image(b)?));
-        let same: HashMap<(Id, Id), (Id, Id)> =
-            made.filter_map(|of| Some((image(of)?, of))).collect();
-        // f is compared with nothing: that stands for a choice that is not made in space, but inside of a leaf.
-        let (Some(&f), false) = (roots.first(), self.is_empty()) else {
-            return Choices::default();
-        };
-        let mut choices = Choices {
-            pairs: self
-                .pairs
-                .iter()
-                .map(|of| same.get(of).copied().unwrap_or((f, f)))
-                .collect(),
-            ..Choices::default()
-        };
-        if choices.guard_all(graph, &nodes, roots, &ready) {
-            choices.around = choices.nested();
-            choices
-        } else {
-            Choices::default()
-        }
-    }
-
-    /// Is each choice that is decided by a sign made by one pair of numbers of f in space?
-    pub fn signs_are(&self, graph: &Graph, staged: &Staged) -> bool {
-        let root: Vec<Id> = staged.root.into_iter().collect();
-        let made = graph.reachable(&root, |_| false);
-        let made: HashSet<(Id, Id)> = made.iter().filter_map(|id| pair(graph, *id)).collect();
-        let stands_for = |(a, b): (Id, Id), of: (Id, Id)| {
-            staged.image(a) == Some(of.0) && staged.image(b) == Some(of.1)
-        };
-        let signs = self.pairs.iter().zip(&self.signs);
-        signs
-            .filter(|(_, sign)| sign.is_some())
-            .all(|(of, _)| made.iter().filter(|p| stands_for(**p, *of)).count() == 1)
-    }
-
     /// Finds out what guards choices, and what guards nodes; false if choices guard each other.
-    fn guard_all(
+    pub(super) fn guard_all(
         &mut self,
         graph: &Graph,
         nodes: &[Id],

@@ -5,6 +5,7 @@ mod block;
 mod choices;
 mod enclosure;
 mod folds;
+mod in_space;
 mod item;
 mod layout;
 mod polynomial;
