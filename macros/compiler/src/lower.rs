@@ -52,13 +52,14 @@ impl<'a> Lowering<'a> {
             self.binding(*index)?;
         }
         let left = self.term(&self.formula.left)?;
-        match &self.formula.right {
-            None => Ok(left),
+        let value = match &self.formula.right {
+            None => left,
             Some(right) => {
                 let right = self.term(right)?;
-                Ok(self.graph.subtract(left, right))
+                self.graph.subtract(left, right)
             }
-        }
+        };
+        Ok(self.graph.balanced(value))
     }
 
     /// One term.

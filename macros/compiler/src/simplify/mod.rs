@@ -3,6 +3,7 @@
 //! "The same domain" is why `0·a` becomes 0 only where `a` is total, and why `a/a` and `(a·b)/b` stay as they are.
 
 mod algebra;
+mod balance;
 mod choice;
 mod functions;
 
@@ -50,6 +51,7 @@ pub const RULES: &[&str] = &[
     "f(-a) = f(a)",
     "f(-a) = -f(a)",
     "min, max decided",
+    "min(min(a, b), c) = min(a, min(b, c))",
     "c ? a : a = a",
     "choice decided",
 ];
