@@ -6,7 +6,7 @@ use crate::interval::{
     Arithmetic, Ball, Fine, Flags, Interval, Jet, Lanes, Leaves, Packet, Parameter, Rebind, Scalar,
 };
 use crate::ray::Rays;
-use crate::surface::{Active, ParameterError, Report, Surface, Terms, Work};
+use crate::surface::{Active, ParameterError, Regions, Report, Surface, Terms, Work};
 
 /// The surface f(A₁⁻¹(… Aₙ⁻¹(x))) = 0, for exact affine maps with `f64` entries; as it is without any.
 ///
@@ -341,6 +341,7 @@ impl<S: Surface> Surface for Placed<S> {
         jet
     }
 
+    const REGIONS: [Regions; 2] = S::REGIONS;
     const WORK: Work = S::WORK;
 
     fn quadric<L: Leaves>(bound: &Self::Bound<L>) -> Option<&L::Quadratic> {

@@ -19,7 +19,7 @@ use crate::scene::{Label, Prepared, Search, TileJob, Trace};
 use crate::solve::Settings;
 use crate::space::{Boxes, Division, eight};
 use crate::span::Span8;
-use crate::surface::{Active, ParameterError};
+use crate::surface::{Active, ParameterError, Regions};
 use crate::trace::{BeamOf, Leaves, Trail, WithBeams, segment};
 use crate::verdict::Verdict;
 
@@ -231,7 +231,7 @@ impl Prepared for PreparedSolid<'_> {
 
     /// Each operand may be on either side.
     fn everything(&self) -> Active {
-        Active::everything(&[], 0, self.leaves.len())
+        Active::everything(&[], 0, self.leaves.len(), &[Regions::NONE; 2])
     }
 
     /// A part holds no face where all of it is on one side.

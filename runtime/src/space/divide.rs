@@ -82,6 +82,7 @@ impl<P: Packet> Routine<P> for Divide<'_, '_, P> {
             division.add(*place, open, |lane| {
                 let mut chosen = Active::default();
                 thin.choose(active, lane, &mut chosen);
+                chosen.find_regions(self.surface.regions());
                 Arc::new(chosen)
             });
         }

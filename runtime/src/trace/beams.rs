@@ -12,7 +12,7 @@ use crate::beam::{
 use crate::interval::{Kernel, Packet, Routine};
 use crate::solve::Enclosed;
 use crate::space::{Boxes, Divider, Division};
-use crate::surface::{Active, Surface, Work};
+use crate::surface::{Active, Regions, Surface, Work};
 
 /// The leaves of a whole picture, `S::Bound<OverBeams<P>>` of the render's instruction set.
 pub(crate) type Leaves = Box<dyn Any + Send + Sync>;
@@ -94,6 +94,9 @@ impl<S: Surface, P: Packet> Bundle<P> for OverGroup<'_, S, P> {
     }
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin) {
         p.call(AllTerms { of: self, over, to });
+    }
+    fn regions(&self) -> &'static [Regions; 2] {
+        &S::REGIONS
     }
     fn work(&self) -> &'static Work {
         &S::WORK

@@ -5,6 +5,7 @@
 //! is topological; folds over the same rows that wait for the same things share one loop.
 
 use super::choices::Side;
+use super::regions::alive;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::tree::FoldKind;
@@ -54,12 +55,6 @@ pub trait Target {
     fn step(&self, _from: Option<Side>, guard: Side) -> Side {
         guard
     }
-    /// Whether a region is alive, inside of one that is.
-    fn alive(&self, _region: Side, _inside: Option<Side>) -> TokenStream {
-        TokenStream::new()
-    }
-    /// What follows stands inside of this region.
-    fn stand(&mut self, _region: Option<Side>) {}
     /// Is a node written to where it is kept as soon as it is computed? Then it need not last until the end of the block.
     fn keeps(&self, _id: Id) -> bool {
         false
@@ -241,11 +236,9 @@ impl<T: Target> Block<'_, T> {
     /// The nodes of a region inside of this one. What is used behind them is declared in front; the others are forgotten.
     fn inside(&mut self, region: Side, run: &[Id], uses: &Uses, out: &mut TokenStream) -> Declared {
         let outer = self.region.replace(region);
-        self.target.stand(self.region);
         let mut code = TokenStream::new();
         let mut declared = self.nodes(run, uses, &mut code);
         self.region = outer;
-        self.target.stand(outer);
         let inside: HashSet<Id> = run.iter().copied().collect();
         let mut lasting = HashSet::new();
         for id in run {
@@ -259,7 +252,7 @@ impl<T: Target> Block<'_, T> {
         declared.retain(|(name, _)| lasting.contains(name));
         let names: Vec<_> = declared.iter().map(|(name, _)| name).collect();
         let nothing = declared.iter().map(|(_, nothing)| nothing);
-        let alive = self.target.alive(region, outer);
+        let alive = alive(region);
         out.extend(quote! {
             let (#(#names,)*) = if #alive { #code (#(#names,)*) } else { (#(#nothing,)*) };
         });

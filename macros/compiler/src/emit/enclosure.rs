@@ -4,7 +4,7 @@ use super::block::Target;
 use super::choices::{Choices, Side, branches};
 use super::folds::{Visit, accumulator, enter_fields, enter_fine_rows, enter_rows};
 use super::layout::Layout;
-use super::regions::side;
+use super::regions::alive;
 use super::text::{flags, index, interval, number, variable};
 use crate::form::Form;
 use crate::functions::Function;
@@ -36,8 +36,6 @@ pub struct Enclosure<'a> {
     pub stage: Stage,
     /// Names of the fields; for tables in the surface stage.
     pub fields: &'a [Ident],
-    /// The region in which its code stands.
-    pub region: Option<Side>,
     /// Does code stand in a row, instead of region in region?
     pub flat: bool,
 }
@@ -172,18 +170,6 @@ impl Target for Enclosure<'_> {
         }
     }
 
-    fn alive(&self, region: Side, inside: Option<Side>) -> TokenStream {
-        if self.flat {
-            side(region).into_token_stream()
-        } else {
-            self.choices().alive(region, inside)
-        }
-    }
-
-    fn stand(&mut self, region: Option<Side>) {
-        self.region = region;
-    }
-
     fn declared(&self, id: Id, value: &Value) -> Vec<(Ident, TokenStream)> {
         let zero = interval(&crate::exact::Rational::from(0));
         let zero = quote!(a.constant(&#zero));
@@ -285,8 +271,7 @@ impl Enclosure<'_> {
             return None;
         }
         let choice = self.choices().made(self.graph, id)?;
-        let side = |k| self.alive(2 * choice + k, self.region);
-        Some((side(0), side(1)))
+        Some((alive(2 * choice), alive(2 * choice + 1)))
     }
 
     fn choices(&self) -> &Choices {

@@ -269,7 +269,6 @@ fn bound(formula: &Formula, term: &Term, side: &TokenStream) -> Result<TokenStre
         layout: &layout,
         stage: Stage::Surface,
         fields: &[],
-        region: None,
         flat: false,
     };
     let mut body = TokenStream::new();

@@ -6,7 +6,7 @@
 //! for one loop, a `Vec` of `Vec`s for two, and so on.
 
 use super::choices::Choices;
-use super::regions::side;
+use super::regions::alive;
 use super::signs::Signs;
 use super::terms::Terms;
 use crate::form::Form;
@@ -285,8 +285,8 @@ impl Layout {
         let node = staged.leaves.get(leaf).map(|leaf| leaf.node);
         match node.and_then(|node| self.choices.shape(node)) {
             Some(of) => {
-                let of = side(of);
-                quote!(if #of { #code })
+                let alive = alive(of);
+                quote!(if #alive { #code })
             }
             None => code,
         }

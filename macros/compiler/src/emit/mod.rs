@@ -153,10 +153,11 @@ fn members(
     let seen = compiled.seen();
     let report = facts.constant(surface);
     let (quadric, work) = (compiled.quadric(), compiled.work());
-    let signs_in_space = compiled.signs_in_space();
+    let (regions, signs_in_space) = (compiled.regions(), compiled.signs_in_space());
     Ok(quote! {
         #report
         #work
+        #regions
         #signs_in_space
         type Prepared = #prepared;
         type Bound<L: __zeroset::Leaves> = #bound;

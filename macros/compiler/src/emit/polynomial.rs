@@ -109,10 +109,6 @@ impl Target for Polynomial<'_> {
         self.layout.choices.step(from, guard)
     }
 
-    fn alive(&self, region: Side, inside: Option<Side>) -> TokenStream {
-        self.layout.choices.alive(region, inside)
-    }
-
     fn keeps(&self, id: Id) -> bool {
         self.leaves.contains_key(&id)
     }

@@ -8,10 +8,7 @@ use quote::{format_ident, quote};
 pub fn rebind(compiled: &Compiled) -> TokenStream {
     let layout = compiled.layout;
     let active = layout.copy_active(&quote!(to));
-    let (known, sides) = (
-        layout.choices.known(&quote!(active)),
-        layout.choices.declare(),
-    );
+    let regions = layout.choices.known(&quote!(active), false);
     let leaves = |part: u8, kind: &str, leaves: &[usize]| -> Vec<TokenStream> {
         let (part, kind) = (Literal::u8_unsuffixed(part), format_ident!("{kind}"));
         let all = leaves.iter().enumerate().map(|(place, leaf)| {
@@ -32,8 +29,7 @@ pub fn rebind(compiled: &Compiled) -> TokenStream {
             active: &__zeroset::Active,
             to: &mut Self::Bound<R::To>,
         ) -> __zeroset::primitive::bool {
-            #known
-            #sides
+            #regions
             #(#top)*
             #active
             #(#rows)*

@@ -1,75 +1,55 @@
 //! Where code stands that only some sides of choices need: region in region.
 //!
 //! A region is what one side guards, or a union of sides. It lies inside of another where it is alive only if that is. So a
-//! part of a formula that does not matter costs one test, however many choices are made in it. Where all numbers that are
-//! compared are asked for, code stands in a row, behind variables that tell which sides are alive.
+//! part of a formula that does not matter costs one test, however many choices are made in it. Which regions are alive is
+//! found once for each list of what is active; evaluations look it up.
 
 use super::choices::{Choices, Side};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::{BTreeSet, HashSet};
+use std::collections::BTreeSet;
 
-/// The variable of a side.
-pub fn side(side: Side) -> Ident {
-    format_ident!("g{side}")
-}
+/// How many regions a word of the array `alive` tells of.
+const WORD: usize = u64::BITS as usize;
 
 impl Choices {
-    /// The array `sides`: what `active` knows of each choice.
-    pub fn known(&self, active: &TokenStream) -> TokenStream {
+    /// How many regions there are.
+    pub fn regions(&self) -> usize {
+        if self.is_empty() {
+            0
+        } else {
+            2 * self.pairs.len() + self.unions.len()
+        }
+    }
+
+    /// The array `alive`: which regions are, bit by bit.
+    pub fn known(&self, active: &TokenStream, in_space: bool) -> TokenStream {
         if self.is_empty() {
             return TokenStream::new();
         }
-        let count = Literal::usize_unsuffixed(self.count());
-        quote!(let sides = #active.known::<#count>();)
+        let words = Literal::usize_unsuffixed(self.regions().div_ceil(WORD));
+        let alive = format_ident!("{}", if in_space { "alive_in_space" } else { "alive" });
+        quote!(let alive = #active.#alive::<#words>();)
     }
 
-    /// Declares the sides and their unions, each a `bool`: whether it is alive, as the array `sides` says.
-    pub(super) fn declare(&self) -> TokenStream {
+    /// The table by which the runtime finds out which regions are alive.
+    pub fn table(&self) -> TokenStream {
         if self.is_empty() {
-            return TokenStream::new();
+            return quote!(__zeroset::Regions::NONE);
         }
-        let mut declared = HashSet::new();
-        let mut out = TokenStream::new();
-        for k in self.order() {
-            let (first, second) = (side(2 * k), side(2 * k + 1));
-            let number = Literal::usize_unsuffixed(k);
-            let outer = self.within[k].map(|s| {
-                self.declare_union(s, &mut declared, &mut out);
-                let s = side(s);
-                quote!(let (#first, #second) = (#s & #first, #s & #second);)
-            });
-            out.extend(quote! {
-                let (#first, #second) = (sides[#number].first(), sides[#number].second());
-                #outer
-            });
-        }
-        let guards: BTreeSet<Side> = self
-            .guards
-            .values()
-            .chain(self.shapes.values())
-            .copied()
-            .collect();
-        for guard in guards {
-            self.declare_union(guard, &mut declared, &mut out);
-        }
-        out
-    }
-
-    /// Declares a union, if it is one and not declared yet, behind its sides.
-    fn declare_union(&self, of: Side, declared: &mut HashSet<Side>, out: &mut TokenStream) {
-        if of >= 2 * self.pairs.len() && declared.insert(of) {
-            let name = side(of);
-            let sides = self.sides(of).into_iter().map(side);
-            out.extend(quote!(let #name = #(#sides)|*;));
-        }
-    }
-
-    /// The choices, each behind those that guard it.
-    fn order(&self) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..self.pairs.len()).collect();
-        order.sort_by_cached_key(|k| self.depth(*k));
-        order
+        let inside = |of: Option<Side>| {
+            let within = self.within.iter().enumerate();
+            numbers(within.filter(move |(_, w)| **w == of).map(|(k, _)| k))
+        };
+        let unions = self.unions.iter().zip(2 * self.pairs.len()..);
+        let all = (0..self.regions()).map(|region| {
+            let holds = |(of, _): &(&BTreeSet<Side>, _)| of.contains(&region);
+            let parts_of = numbers(unions.clone().filter(holds).map(|(_, number)| number));
+            let choices = inside(Some(region));
+            quote!(__zeroset::Region { parts_of: &[#(#parts_of),*], choices: &[#(#choices),*] })
+        });
+        let outermost = inside(None);
+        quote!(__zeroset::Regions { outermost: &[#(#outermost),*], all: &[#(#all),*] })
     }
 
     /// The innermost region around each side and each union.
@@ -109,35 +89,16 @@ impl Choices {
         }
         region
     }
+}
 
-    /// Is a side or a union alive, as the array `sides` says? `inside` is known to be.
-    pub fn alive(&self, of: Side, inside: Option<Side>) -> TokenStream {
-        let inside = inside.map(|region| self.sides(region));
-        self.told(of, inside.as_ref())
-    }
+/// Is a region alive, as the array `alive` says?
+pub fn alive(region: Side) -> TokenStream {
+    let word = Literal::usize_unsuffixed(region / WORD);
+    let bit = Literal::u64_unsuffixed(1 << (region % WORD));
+    quote!((alive[#word] & #bit != 0))
+}
 
-    fn told(&self, of: Side, inside: Option<&BTreeSet<Side>>) -> TokenStream {
-        let parts = self.sides(of).into_iter().map(|side| {
-            let number = Literal::usize_unsuffixed(side / 2);
-            let own = if side % 2 == 0 {
-                quote!(sides[#number].first())
-            } else {
-                quote!(sides[#number].second())
-            };
-            match self.within.get(side / 2).copied().flatten() {
-                Some(outer) if !self.follows(outer, inside) => {
-                    let outer = self.told(outer, inside);
-                    quote!((#own & #outer))
-                }
-                _ => own,
-            }
-        });
-        quote!((#(#parts)|*))
-    }
-
-    /// Is a region alive wherever one of these sides is?
-    fn follows(&self, region: Side, from: Option<&BTreeSet<Side>>) -> bool {
-        let region = self.sides(region);
-        from.is_some_and(|sides| sides.iter().all(|side| self.covers(&region, *side)))
-    }
+fn numbers(all: impl Iterator<Item = usize>) -> Vec<Literal> {
+    all.map(|number| Literal::u32_unsuffixed(number as u32))
+        .collect()
 }

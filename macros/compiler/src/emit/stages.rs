@@ -1,6 +1,7 @@
 //! The functions of `Surface` over segments and in space; those of the earlier stages are in `prepare` and `bind`.
 
 use super::block::block;
+use super::choices::Choices;
 use super::enclosure::{Enclosure, Stage, Value};
 use super::layout::Layout;
 use crate::graph::{Graph, Id, Op, Scope};
@@ -35,7 +36,6 @@ impl Compiled<'_> {
             layout: self.layout,
             stage,
             fields: self.fields,
-            region: None,
             flat: false,
         }
     }
@@ -51,9 +51,16 @@ impl Compiled<'_> {
         let choices = Literal::usize_unsuffixed(self.layout.choices.count());
         quote! {
             fn everything(prepared: &Self::Prepared) -> __zeroset::Active {
-                __zeroset::Active::everything(&[#(#lengths),*], #rests, #choices)
+                __zeroset::Active::everything(&[#(#lengths),*], #rests, #choices, &Self::REGIONS)
             }
         }
+    }
+
+    /// `REGIONS`: along rays, and in space.
+    pub fn regions(&self) -> TokenStream {
+        let layout = self.layout;
+        let tables = [&layout.choices, &layout.choices_in_space].map(Choices::table);
+        quote!(const REGIONS: [__zeroset::Regions; 2] = [#(#tables),*];)
     }
 
     /// The polynomials over the segment `t`, if this parameter is one: then the function ends here.
@@ -96,7 +103,7 @@ impl Compiled<'_> {
         let mut target = self.enclosure(Stage::Segment);
         let (body, jet) = self.jet(&mut target, &targets, 1, HashMap::new());
         let over = self.over(n);
-        let sides = self.layout.choices.known(&quote!(bound.2));
+        let regions = self.layout.choices.known(&quote!(bound.2), false);
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
         quote! {
             #[inline(always)]
@@ -106,7 +113,7 @@ impl Compiled<'_> {
                 bound: &Self::Bound<T::Leaves>,
                 t: T,
             ) -> __zeroset::Jet<A::Value, A::Packet, #n> {
-                #sides
+                #regions
                 #over
                 #body
                 #jet
@@ -122,8 +129,7 @@ impl Compiled<'_> {
         if body.is_empty() {
             return body;
         }
-        let choices = &self.layout.choices;
-        let (known, sides) = (choices.known(&quote!(bound.2)), choices.declare());
+        let regions = self.layout.choices.known(&quote!(bound.2), false);
         quote! {
             #[inline(always)]
             fn terms<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
@@ -133,8 +139,7 @@ impl Compiled<'_> {
                 t: T,
                 to: &mut impl __zeroset::Terms<A>,
             ) {
-                #known
-                #sides
+                #regions
                 #body
             }
         }
@@ -166,7 +171,7 @@ impl Compiled<'_> {
         if self.layout.terms.is_empty() && choices.is_empty() {
             return TokenStream::new();
         }
-        let sides = choices.known(&quote!(active));
+        let regions = choices.known(&quote!(active), true);
         let targets: Vec<Id> = self.space.iter().take(4).copied().collect();
         let (body, jet) = self.jet(
             &mut self.enclosure(Stage::Seen),
@@ -182,7 +187,7 @@ impl Compiled<'_> {
                 active: &__zeroset::Active,
                 point: [A::Value; 3],
             ) -> __zeroset::Jet<A::Value, A::Packet, 4> {
-                #sides
+                #regions
                 #body
                 #jet
             }

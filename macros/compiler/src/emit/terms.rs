@@ -3,7 +3,7 @@
 
 use super::block::block;
 use super::enclosure::{Enclosure, Value};
-use super::regions::side;
+use super::regions::alive;
 use super::signs::Signs;
 use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope};
@@ -181,7 +181,7 @@ impl Terms {
             let flags = [first, second].map(|v| told(v.flags.as_ref()));
             let (first, second) = (&first.name, &second.name);
             let [f, g] = flags;
-            let (yes, no) = (side(2 * choice), side(2 * choice + 1));
+            let (yes, no) = (alive(2 * choice), alive(2 * choice + 1));
             let number = Literal::usize_unsuffixed(choice);
             let by_sign = match target.layout.choices.sign(choice) {
                 Some(Function::Min) => quote!([a.less(zero, #second), a.less(zero, #first)]),

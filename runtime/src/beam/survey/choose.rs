@@ -45,7 +45,7 @@ impl<P: Packet> Surveyor<'_, P> {
         );
         let reach = p.to_array(reach);
         let mut all = p.bits(all);
-        let work = self.surface.work();
+        let (work, regions) = (self.surface.work(), self.surface.regions());
         let before = active.rows.is_empty().then(|| work.of(active));
         for lane in lanes() {
             thin.choose(active, lane, &mut rows[lane].near);
@@ -64,6 +64,8 @@ impl<P: Packet> Surveyor<'_, P> {
                     given.reach
                 };
                 all |= 1 << lane;
+            } else {
+                rows[lane].near.find_regions(regions);
             }
         }
         if to_the_end && open & !all != 0 {
@@ -72,6 +74,7 @@ impl<P: Packet> Surveyor<'_, P> {
             });
             for lane in lanes().filter(|lane| all >> lane & 1 == 0) {
                 thin.choose(active, lane, &mut rows[lane].all);
+                rows[lane].all.find_regions(regions);
             }
         }
     }

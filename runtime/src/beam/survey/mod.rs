@@ -8,7 +8,7 @@ use super::{Frame, Grid, Group, Hint, Rows, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
 use crate::solve::{Enclosed, Settings, select};
 use crate::span::Span8;
-use crate::surface::{Active, Work};
+use crate::surface::{Active, Regions, Work};
 use march::Surveyor;
 
 /// A surface over eight beams. An object, so that the survey is compiled once per instruction set.
@@ -25,6 +25,10 @@ pub(crate) trait Bundle<P: Packet> {
     fn slope(&self, p: P, over: &Towards<P::F>) -> Enclosed<P, 2>;
     /// The terms of these beams' rows over a piece.
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin);
+    /// The regions of the surface's code.
+    fn regions(&self) -> &'static [Regions; 2] {
+        &[Regions::NONE; 2]
+    }
     /// What evaluations along rays cost.
     fn work(&self) -> &'static Work {
         &Work::UNKNOWN

@@ -3,7 +3,7 @@
 use super::told::{Candidate, Term};
 use super::*;
 use crate::interval::{Arithmetic, Interval, Scalar};
-use crate::surface::Row;
+use crate::surface::{Regions, Row};
 
 /// Terms of many sizes over eight beams, always the same; and one whose row may be undefined.
 fn told(rows: usize) -> (Active, Thin) {
@@ -27,7 +27,7 @@ fn told(rows: usize) -> (Active, Thin) {
     let terms: Vec<Term> = (0..rows)
         .flat_map(|at| [term(at, 0), term(at, 1)])
         .collect();
-    let active = Active::everything(&[rows], 2, 0);
+    let active = Active::everything(&[rows], 2, 0, &[Regions::NONE; 2]);
     thin.measure(|thin| terms.iter().for_each(|term| thin.add_measure(term)));
     thin.weigh(&active, |thin| thin.terms.extend(terms));
     (active, thin)
@@ -81,7 +81,7 @@ fn what_is_left_out_is_in_the_rest() {
 
 #[test]
 fn a_minimum_keeps_what_may_be_least() {
-    let active = Active::everything(&[4], 0, 0);
+    let active = Active::everything(&[4], 0, 0, &[Regions::NONE; 2]);
     let numbers = [[0.0, 1.0], [0.5, 3.0], [1.5, 2.0], [2.0, 2.5]];
     let mut thin = Thin::default();
     thin.weigh(&active, |thin| {
@@ -108,7 +108,7 @@ fn a_minimum_keeps_what_may_be_least() {
 
 #[test]
 fn of_a_sign_what_is_positive_is_left_out() {
-    let active = Active::everything(&[4], 0, 1);
+    let active = Active::everything(&[4], 0, 1, &[Regions::NONE; 2]);
     // In the last beam all are positive; the third row is defined nowhere for certain.
     let lows = [[-1.0, 1.0], [0.5, 0.7], [0.5, 0.7], [0.9, 0.8]];
     let mut thin = Thin::default();
@@ -149,7 +149,10 @@ fn of_a_sign_what_is_positive_is_left_out() {
 
 #[test]
 fn what_nothing_was_told_about_stays() {
-    let (active, mut thin) = (Active::everything(&[5], 1, 0), Thin::default());
+    let (active, mut thin) = (
+        Active::everything(&[5], 1, 0, &[Regions::NONE; 2]),
+        Thin::default(),
+    );
     thin.weigh(&active, |_| ());
     let mut chosen = Active::default();
     thin.choose(&active, 0, &mut chosen);

@@ -1,6 +1,14 @@
 //! The trait that `implicit!` implements.
 
-use crate::interval::{Arithmetic, Flags, Interval, Jet, Leaves, Packet, Parameter, Rebind, Truth};
+mod active;
+mod regions;
+mod work;
+
+pub use active::{Active, Choice, Rest, Row};
+pub use regions::{Region, Regions};
+pub use work::Work;
+
+use crate::interval::{Arithmetic, Flags, Jet, Leaves, Packet, Parameter, Rebind, Truth};
 use crate::ray::Rays;
 
 /// An implicit surface f = 0, compiled from a formula by [`implicit!`](crate::implicit).
@@ -125,6 +133,8 @@ pub trait Surface: Send + Sync {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10>;
+    /// The regions of its code along rays, and of [`seen`](Self::seen).
+    const REGIONS: [Regions; 2] = [Regions::NONE; 2];
     /// What evaluations cost.
     const WORK: Work = Work::UNKNOWN;
     /// Does [`seen`](Self::seen) leave out just what segments do, also where it is left out by its sign?
@@ -193,209 +203,6 @@ pub enum Continuity {
     Smooth,
 }
 
-/// What of its tables a surface visits.
-#[derive(Debug, Default, PartialEq)]
-pub struct Active {
-    /// For each outermost fold, the rows to visit.
-    pub rows: Vec<Vec<u32>>,
-    /// How many of them, from the first, a rough look visits.
-    pub rough: Vec<usize>,
-    /// For each sum that may leave out rows: what these add, wherever this list is used.
-    pub rest: Vec<Rest>,
-    /// What is known of each choice between two sides.
-    pub choices: Vec<Choice>,
-    /// Were rows or sides left out because their sign is certain? Then f has its sign and its zeros, but elsewhere not its
-    /// value: what is proved of it with other rows does not hold for it.
-    pub by_sign: bool,
-}
-
-/// What evaluations of f cost along a ray, roughly, in additions of two enclosures.
-#[derive(Clone, Copy, Debug)]
-pub struct Work {
-    /// Outside of folds.
-    pub whole: u32,
-    /// A row of each outermost fold.
-    pub rows: &'static [u32],
-    /// What is computed only where the first number of a choice is less, and only where the second is.
-    pub sides: &'static [[u32; 2]],
-}
-
-impl Work {
-    /// Nothing is known.
-    pub const UNKNOWN: Work = Work {
-        whole: 0,
-        rows: &[],
-        sides: &[],
-    };
-
-    /// With what is active.
-    pub(crate) fn of(&self, active: &Active) -> u32 {
-        let rows = self.rows.iter().zip(&active.rows);
-        let rows = rows.map(|(work, rows)| work.saturating_mul(rows.len() as u32));
-        let sides = self.sides.iter().zip(&active.choices);
-        // By a table: there may be hundreds, and no telling which.
-        let spared = sides.map(|([first, second], choice)| [0, *second, *first][*choice as usize]);
-        let all = rows.fold(self.whole, u32::saturating_add);
-        all.saturating_sub(spared.fold(0, u32::saturating_add))
-    }
-
-    /// Is a list so much less than one of this work that it is worth another look at rays behind where it holds?
-    pub(crate) fn pays(&self, less: &Active, than: u32) -> bool {
-        4 * u64::from(self.of(less)) <= 3 * u64::from(than)
-    }
-}
-
-/// What is known of a comparison.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
-    /// Nothing.
-    Open,
-    /// The first number is less.
-    First,
-    /// The second number is less.
-    Second,
-}
-
-impl Choice {
-    /// May the first number be less?
-    #[inline(always)]
-    #[must_use]
-    pub fn first(self) -> bool {
-        self != Choice::Second
-    }
-
-    /// May the second number be less?
-    #[inline(always)]
-    #[must_use]
-    pub fn second(self) -> bool {
-        self != Choice::First
-    }
-}
-
-/// What the rows of a sum add that are left out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rest {
-    /// Those that are not in the list.
-    pub all: Interval,
-    /// Those that a rough look does not visit.
-    pub rough: Interval,
-}
-
-impl Active {
-    /// All rows of folds of these lengths, for a formula with so many sums and choices.
-    #[must_use]
-    pub fn everything(lengths: &[usize], sums: usize, choices: usize) -> Self {
-        let nothing = Interval { lo: 0.0, hi: 0.0 };
-        let rest = Rest {
-            all: nothing,
-            rough: nothing,
-        };
-        Active {
-            rows: lengths.iter().map(|n| (0..*n as u32).collect()).collect(),
-            rough: lengths.to_vec(),
-            rest: vec![rest; sums],
-            choices: vec![Choice::Open; choices],
-            by_sign: false,
-        }
-    }
-
-    /// What is known of each choice of a formula with so many.
-    ///
-    /// # Panics
-    ///
-    /// If it has more.
-    #[inline(always)]
-    #[must_use]
-    pub fn known<const N: usize>(&self) -> &[Choice; N] {
-        self.choices
-            .first_chunk()
-            .expect("the choices of another formula")
-    }
-
-    /// Do these rows and sides of a surface tell all about f where they hold, along rays and in space? They do without sums:
-    /// what they compute has the sign and the zeros of f, and is no smaller; it is the same in both, if what is left out
-    /// by its sign is. A sum's derivatives by the active rows do not hold what the others add.
-    pub(crate) fn tells_all<S: Surface>(&self) -> bool {
-        self.rest.is_empty() && (!self.by_sign || S::SIGNS_IN_SPACE)
-    }
-
-    /// How many rows of a list a look visits.
-    #[inline(always)]
-    #[must_use]
-    pub fn visited(&self, list: usize, rough: bool) -> usize {
-        if rough {
-            self.rough[list]
-        } else {
-            self.rows[list].len()
-        }
-    }
-
-    /// What the rows add that it does not visit.
-    #[inline(always)]
-    #[must_use]
-    pub fn rest(&self, sum: usize, rough: bool) -> &Interval {
-        let rest = &self.rest[sum];
-        if rough { &rest.rough } else { &rest.all }
-    }
-
-    /// With the choices and rests of another, and no rows yet.
-    pub(crate) fn start_from(&mut self, other: &Active) {
-        self.rows.resize_with(other.rows.len(), Vec::new);
-        self.rows.iter_mut().for_each(Vec::clear);
-        self.rough.resize(other.rows.len(), 0);
-        self.rest.clone_from(&other.rest);
-        self.choices.clone_from(&other.choices);
-        self.by_sign = other.by_sign;
-    }
-
-    /// Are there fewer rows, or fewer open choices?
-    pub(crate) fn is_less_than(&self, other: &Active) -> bool {
-        let rows = |active: &Active| active.rows.iter().map(Vec::len).sum::<usize>();
-        let open = |active: &Active| {
-            active
-                .choices
-                .iter()
-                .filter(|c| **c == Choice::Open)
-                .count()
-        };
-        rows(self) < rows(other) || open(self) < open(other)
-    }
-
-    /// Is there anything to choose?
-    pub(crate) fn is_open(&self) -> bool {
-        self.rows.iter().any(|rows| rows.len() > 1) || self.choices.contains(&Choice::Open)
-    }
-}
-
-impl Clone for Active {
-    fn clone(&self) -> Self {
-        Active {
-            rows: self.rows.clone(),
-            rough: self.rough.clone(),
-            rest: self.rest.clone(),
-            choices: self.choices.clone(),
-            by_sign: self.by_sign,
-        }
-    }
-    /// Keeps the room.
-    fn clone_from(&mut self, from: &Self) {
-        self.rows.clone_from(&from.rows);
-        self.rough.clone_from(&from.rough);
-        self.rest.clone_from(&from.rest);
-        self.choices.clone_from(&from.choices);
-        self.by_sign = from.by_sign;
-    }
-}
-
-/// A row of a table, in turn.
-#[derive(Clone, Copy, Debug)]
-pub struct Row {
-    /// The fold, as an index of [`Active::rows`].
-    pub list: usize,
-    /// The row's place in that list.
-    pub at: usize,
-}
-
 /// Receives the terms of sums, and what minima and maxima choose from, row by row; and what choices compare.
 pub trait Terms<A: Arithmetic> {
     /// A term of the sum with this index in [`Active::rest`].
@@ -459,30 +266,4 @@ pub enum ParameterError {
         /// How many the formula needs.
         needed: usize,
     },
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Active, Choice, Work};
-
-    #[test]
-    fn lists_pay_if_they_spare_a_quarter() {
-        let work = Work {
-            whole: 100,
-            rows: &[10],
-            sides: &[[60, 4]],
-        };
-        let all = Active::everything(&[8], 0, 1);
-        let with = |choice| Active {
-            choices: vec![choice],
-            ..all.clone()
-        };
-        // Where the first number is less, the second side is not computed.
-        assert!(!work.pays(&with(Choice::First), work.of(&all)));
-        assert!(work.pays(&with(Choice::Second), work.of(&all)));
-        let rows = |n| Active::everything(&[n], 0, 1);
-        assert!(!work.pays(&rows(4), work.of(&all)));
-        assert!(work.pays(&rows(3), work.of(&all)));
-        assert!(Work::UNKNOWN.pays(&all, Work::UNKNOWN.of(&all)));
-    }
 }

@@ -1,0 +1,201 @@
+//! What of a surface is active over a part of space: rows of its tables, and sides of its choices.
+
+use super::{Regions, Surface};
+use crate::interval::Interval;
+
+/// What of its tables a surface visits.
+#[derive(Debug, Default, PartialEq)]
+pub struct Active {
+    /// For each outermost fold, the rows to visit.
+    pub rows: Vec<Vec<u32>>,
+    /// How many of them, from the first, a rough look visits.
+    pub rough: Vec<usize>,
+    /// For each sum that may leave out rows: what these add, wherever this list is used.
+    pub rest: Vec<Rest>,
+    /// What is known of each choice between two sides.
+    pub choices: Vec<Choice>,
+    /// Which regions of the surface's code are alive, along rays and in space, bit by bit.
+    alive: [Vec<u64>; 2],
+    /// Were rows or sides left out because their sign is certain? Then f has its sign and its zeros, but elsewhere not its
+    /// value: what is proved of it with other rows does not hold for it.
+    pub by_sign: bool,
+}
+
+/// What is known of a comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// Nothing.
+    Open,
+    /// The first number is less.
+    First,
+    /// The second number is less.
+    Second,
+}
+
+impl Choice {
+    /// May the first number be less?
+    #[inline(always)]
+    #[must_use]
+    pub fn first(self) -> bool {
+        self != Choice::Second
+    }
+
+    /// May the second number be less?
+    #[inline(always)]
+    #[must_use]
+    pub fn second(self) -> bool {
+        self != Choice::First
+    }
+}
+
+/// What the rows of a sum add that are left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest {
+    /// Those that are not in the list.
+    pub all: Interval,
+    /// Those that a rough look does not visit.
+    pub rough: Interval,
+}
+
+impl Active {
+    /// All rows of folds of these lengths, for a formula with so many sums and choices, and all of these regions.
+    #[must_use]
+    pub fn everything(
+        lengths: &[usize],
+        sums: usize,
+        choices: usize,
+        regions: &[Regions; 2],
+    ) -> Self {
+        let nothing = Interval { lo: 0.0, hi: 0.0 };
+        let rest = Rest {
+            all: nothing,
+            rough: nothing,
+        };
+        Active {
+            rows: lengths.iter().map(|n| (0..*n as u32).collect()).collect(),
+            rough: lengths.to_vec(),
+            rest: vec![rest; sums],
+            choices: vec![Choice::Open; choices],
+            alive: regions.each_ref().map(Regions::all),
+            by_sign: false,
+        }
+    }
+
+    /// Which regions of the code along rays are alive, in a formula with so many words of them.
+    ///
+    /// # Panics
+    ///
+    /// If it has more.
+    #[inline(always)]
+    #[must_use]
+    pub fn alive<const WORDS: usize>(&self) -> &[u64; WORDS] {
+        self.alive[0].first_chunk().expect(FOREIGN)
+    }
+
+    /// The same in space.
+    ///
+    /// # Panics
+    ///
+    /// If it has more.
+    #[inline(always)]
+    #[must_use]
+    pub fn alive_in_space<const WORDS: usize>(&self) -> &[u64; WORDS] {
+        self.alive[1].first_chunk().expect(FOREIGN)
+    }
+
+    /// Finds out which regions are alive, from what is known of each choice. Until then those are that were before.
+    pub(crate) fn find_regions(&mut self, regions: &[Regions; 2]) {
+        for (regions, alive) in regions.iter().zip(&mut self.alive) {
+            regions.find(&self.choices, alive);
+        }
+    }
+
+    /// Do these rows and sides of a surface tell all about f where they hold, along rays and in space? They do without sums:
+    /// what they compute has the sign and the zeros of f, and is no smaller; it is the same in both, if what is left out
+    /// by its sign is. A sum's derivatives by the active rows do not hold what the others add.
+    pub(crate) fn tells_all<S: Surface>(&self) -> bool {
+        self.rest.is_empty() && (!self.by_sign || S::SIGNS_IN_SPACE)
+    }
+
+    /// How many rows of a list a look visits.
+    #[inline(always)]
+    #[must_use]
+    pub fn visited(&self, list: usize, rough: bool) -> usize {
+        if rough {
+            self.rough[list]
+        } else {
+            self.rows[list].len()
+        }
+    }
+
+    /// What the rows add that it does not visit.
+    #[inline(always)]
+    #[must_use]
+    pub fn rest(&self, sum: usize, rough: bool) -> &Interval {
+        let rest = &self.rest[sum];
+        if rough { &rest.rough } else { &rest.all }
+    }
+
+    /// With the choices and rests of another, and no rows yet.
+    pub(crate) fn start_from(&mut self, other: &Active) {
+        self.rows.resize_with(other.rows.len(), Vec::new);
+        self.rows.iter_mut().for_each(Vec::clear);
+        self.rough.resize(other.rows.len(), 0);
+        self.rest.clone_from(&other.rest);
+        self.choices.clone_from(&other.choices);
+        self.alive.clone_from(&other.alive);
+        self.by_sign = other.by_sign;
+    }
+
+    /// Are there fewer rows, or fewer open choices?
+    pub(crate) fn is_less_than(&self, other: &Active) -> bool {
+        let rows = |active: &Active| active.rows.iter().map(Vec::len).sum::<usize>();
+        let open = |active: &Active| {
+            active
+                .choices
+                .iter()
+                .filter(|c| **c == Choice::Open)
+                .count()
+        };
+        rows(self) < rows(other) || open(self) < open(other)
+    }
+
+    /// Is there anything to choose?
+    pub(crate) fn is_open(&self) -> bool {
+        self.rows.iter().any(|rows| rows.len() > 1) || self.choices.contains(&Choice::Open)
+    }
+}
+
+impl Clone for Active {
+    fn clone(&self) -> Self {
+        Active {
+            rows: self.rows.clone(),
+            rough: self.rough.clone(),
+            rest: self.rest.clone(),
+            choices: self.choices.clone(),
+            alive: self.alive.clone(),
+            by_sign: self.by_sign,
+        }
+    }
+    /// Keeps the room.
+    fn clone_from(&mut self, from: &Self) {
+        self.rows.clone_from(&from.rows);
+        self.rough.clone_from(&from.rough);
+        self.rest.clone_from(&from.rest);
+        self.choices.clone_from(&from.choices);
+        self.alive.clone_from(&from.alive);
+        self.by_sign = from.by_sign;
+    }
+}
+
+/// What asking for the regions of another formula says.
+const FOREIGN: &str = "the regions of another formula";
+
+/// A row of a table, in turn.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The fold, as an index of [`Active::rows`].
+    pub list: usize,
+    /// The row's place in that list.
+    pub at: usize,
+}
