@@ -15,7 +15,7 @@ pub struct Active {
     /// What is known of each choice between two sides.
     pub choices: Vec<Choice>,
     /// Which regions of the surface's code are alive, along rays and in space, bit by bit.
-    alive: [Vec<u64>; 2],
+    alive: [Vec<u32>; 2],
     /// Were rows or sides left out because their sign is certain? Then f has its sign and its zeros, but elsewhere not its
     /// value: what is proved of it with other rows does not hold for it.
     pub by_sign: bool,
@@ -88,7 +88,7 @@ impl Active {
     /// If it has more.
     #[inline(always)]
     #[must_use]
-    pub fn alive<const WORDS: usize>(&self) -> &[u64; WORDS] {
+    pub fn alive<const WORDS: usize>(&self) -> &[u32; WORDS] {
         self.alive[0].first_chunk().expect(FOREIGN)
     }
 
@@ -99,7 +99,7 @@ impl Active {
     /// If it has more.
     #[inline(always)]
     #[must_use]
-    pub fn alive_in_space<const WORDS: usize>(&self) -> &[u64; WORDS] {
+    pub fn alive_in_space<const WORDS: usize>(&self) -> &[u32; WORDS] {
         self.alive[1].first_chunk().expect(FOREIGN)
     }
 
@@ -108,6 +108,16 @@ impl Active {
         for (regions, alive) in regions.iter().zip(&mut self.alive) {
             regions.find(&self.choices, alive);
         }
+    }
+
+    /// The numbers of the regions along rays that are alive; behind them numbers of none may come.
+    pub(super) fn regions(&self) -> impl Iterator<Item = usize> {
+        let words = self.alive[0].iter().enumerate();
+        words.flat_map(|(number, word)| {
+            let rest = core::iter::successors(Some(*word), |rest| Some(rest & (rest - 1)));
+            let rest = rest.take_while(|rest| *rest != 0);
+            rest.map(move |rest| 32 * number + rest.trailing_zeros() as usize)
+        })
     }
 
     /// Do these rows and sides of a surface tell all about f where they hold, along rays and in space? They do without sums:

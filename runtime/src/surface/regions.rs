@@ -2,74 +2,74 @@
 
 use super::Choice;
 
-/// The regions of a formula's code, and the choices inside of them.
-///
-/// Two regions for each choice, one for either side, and behind them those that several sides share.
+/// The regions of a formula's code, and the choices inside of them: two for each choice, one for either side, and behind them
+/// those that several sides share.
 #[derive(Clone, Copy, Debug)]
 pub struct Regions {
+    /// How many there are.
+    pub count: usize,
     /// The choices that stand in no region.
     pub outermost: &'static [u32],
-    /// All regions.
-    pub all: &'static [Region],
+    /// Those of one side.
+    pub of_sides: &'static [Region],
 }
 
-/// A region.
+/// A region of one side.
 #[derive(Clone, Copy, Debug)]
 pub struct Region {
-    /// The regions that are alive where this one is, and may be elsewhere.
-    pub parts_of: &'static [u32],
-    /// The choices that stand in it.
+    /// Those of several sides, of which it is one: words of bits, and which bits.
+    pub parts_of: &'static [(u32, u32)],
+    /// The choices that stand in it, or in one of these.
     pub choices: &'static [u32],
 }
 
 impl Regions {
     /// There are no choices.
     pub const NONE: Regions = Regions {
+        count: 0,
         outermost: &[],
-        all: &[],
+        of_sides: &[],
     };
 
     /// All of them, bit by bit.
-    pub(super) fn all(&self) -> Vec<u64> {
-        vec![u64::MAX; self.words()]
+    pub(super) fn all(&self) -> Vec<u32> {
+        vec![u32::MAX; self.words()]
     }
 
     fn words(&self) -> usize {
-        self.all.len().div_ceil(64)
+        self.count.div_ceil(32)
     }
 
     /// Those that are alive. A side is if its choice may fall on it and stands where code is alive.
-    pub(super) fn find(&self, choices: &[Choice], alive: &mut Vec<u64>) {
+    pub(super) fn find(&self, choices: &[Choice], alive: &mut Vec<u32>) {
         alive.clear();
         alive.resize(self.words(), 0);
         self.choose(self.outermost, choices, alive);
     }
 
-    fn choose(&self, among: &[u32], choices: &[Choice], alive: &mut [u64]) {
+    fn choose(&self, among: &[u32], choices: &[Choice], alive: &mut [u32]) {
         for &number in among {
+            let first = 2 * number as usize;
+            if alive[first / 32] >> (first % 32) & 0b11 != 0 {
+                // It was met before, in a region of several sides.
+                continue;
+            }
             let choice = choices[number as usize];
             if choice.first() {
-                self.enter(2 * number, choices, alive);
+                self.enter(first, choices, alive);
             }
             if choice.second() {
-                self.enter(2 * number + 1, choices, alive);
+                self.enter(first + 1, choices, alive);
             }
         }
     }
 
-    fn enter(&self, region: u32, choices: &[Choice], alive: &mut [u64]) {
-        let (word, bit) = (region as usize / 64, 1 << (region % 64));
-        if alive[word] & bit != 0 {
-            return;
+    fn enter(&self, side: usize, choices: &[Choice], alive: &mut [u32]) {
+        alive[side / 32] |= 1 << (side % 32);
+        let region = &self.of_sides[side];
+        for &(word, bits) in region.parts_of {
+            alive[word as usize] |= bits;
         }
-        alive[word] |= bit;
-        let Region {
-            parts_of,
-            choices: inside,
-        } = self.all[region as usize];
-        for &outer in parts_of {
-            self.enter(outer, choices, alive);
-        }
-        self.choose(inside, choices, alive);
+        self.choose(region.choices, choices, alive);
     }
 }

@@ -5,12 +5,12 @@ use super::Active;
 /// What evaluations of f cost along a ray, roughly, in additions of two enclosures.
 #[derive(Clone, Copy, Debug)]
 pub struct Work {
-    /// Outside of folds.
+    /// Outside of folds and regions.
     pub whole: u32,
     /// A row of each outermost fold.
     pub rows: &'static [u32],
-    /// What is computed only where the first number of a choice is less, and only where the second is.
-    pub sides: &'static [[u32; 2]],
+    /// Each region, without those inside of it.
+    pub regions: &'static [u32],
 }
 
 impl Work {
@@ -18,18 +18,16 @@ impl Work {
     pub const UNKNOWN: Work = Work {
         whole: 0,
         rows: &[],
-        sides: &[],
+        regions: &[],
     };
 
     /// With what is active.
     pub(crate) fn of(&self, active: &Active) -> u32 {
         let rows = self.rows.iter().zip(&active.rows);
         let rows = rows.map(|(work, rows)| work.saturating_mul(rows.len() as u32));
-        let sides = self.sides.iter().zip(&active.choices);
-        // By a table: there may be hundreds, and no telling which.
-        let spared = sides.map(|([first, second], choice)| [0, *second, *first][*choice as usize]);
-        let all = rows.fold(self.whole, u32::saturating_add);
-        all.saturating_sub(spared.fold(0, u32::saturating_add))
+        let regions = active.regions().map(|number| self.regions.get(number));
+        let regions = regions.map(|work| work.copied().unwrap_or(0));
+        rows.chain(regions).fold(self.whole, u32::saturating_add)
     }
 
     /// Is a list so much less than one of this work that it is worth another look at rays behind where it holds?
@@ -40,25 +38,36 @@ impl Work {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Choice, Regions};
+    use super::super::{Choice, Region, Regions};
     use super::{Active, Work};
 
     #[test]
     fn lists_pay_if_they_spare_a_quarter() {
+        let regions = Regions {
+            count: 2,
+            outermost: &[0],
+            of_sides: &[Region {
+                parts_of: &[],
+                choices: &[],
+            }; 2],
+        };
         let work = Work {
-            whole: 100,
+            whole: 30,
             rows: &[10],
-            sides: &[[60, 4]],
+            regions: &[60, 10],
         };
-        let all = Active::everything(&[8], 0, 1, &[Regions::NONE; 2]);
-        let with = |choice| Active {
-            choices: vec![choice],
-            ..all.clone()
+        let all = Active::everything(&[8], 0, 1, &regions);
+        let with = |choice| {
+            let mut active = all.clone();
+            active.choices = vec![choice];
+            active.find_regions(&regions);
+            active
         };
+        assert_eq!(work.of(&all), 180);
         // Where the first number is less, the second side is not computed.
         assert!(!work.pays(&with(Choice::First), work.of(&all)));
         assert!(work.pays(&with(Choice::Second), work.of(&all)));
-        let rows = |n| Active::everything(&[n], 0, 1, &[Regions::NONE; 2]);
+        let rows = |n| Active::everything(&[n], 0, 1, &regions);
         assert!(!work.pays(&rows(4), work.of(&all)));
         assert!(work.pays(&rows(3), work.of(&all)));
         assert!(Work::UNKNOWN.pays(&all, Work::UNKNOWN.of(&all)));

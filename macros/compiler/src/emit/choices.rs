@@ -162,30 +162,6 @@ impl Choices {
         if self.is_empty() { 0 } else { self.pairs.len() }
     }
 
-    /// What the nodes cost that are computed on one side of each choice only; those of several sides count for each in part.
-    pub fn work(&self, nodes: impl Iterator<Item = (Id, u32)>) -> Vec<[u32; 2]> {
-        let mut work = vec![[0; 2]; self.count()];
-        for (id, cost) in nodes {
-            let Some(guard) = self.guard(id) else {
-                continue;
-            };
-            let sides = self.sides(guard);
-            let part = cost.div_ceil(sides.len().max(1) as u32);
-            // What is inside of another side counts there, too.
-            let (mut todo, mut seen) = (Vec::from_iter(sides), HashSet::new());
-            while let Some(side) = todo.pop() {
-                if !seen.insert(side) {
-                    continue;
-                }
-                if let Some(both) = work.get_mut(side / 2) {
-                    both[side % 2] += part;
-                }
-                todo.extend(self.outer(side).into_iter().flatten());
-            }
-        }
-        work
-    }
-
     /// The minimum or maximum that a choice is all about, if its sign does.
     pub fn sign(&self, choice: usize) -> Option<Function> {
         self.signs.get(choice).copied().flatten()

@@ -7,10 +7,10 @@
 use super::choices::{Choices, Side};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// How many regions a word of the array `alive` tells of.
-const WORD: usize = u64::BITS as usize;
+const WORD: usize = u32::BITS as usize;
 
 impl Choices {
     /// How many regions there are.
@@ -37,19 +37,40 @@ impl Choices {
         if self.is_empty() {
             return quote!(__zeroset::Regions::NONE);
         }
-        let inside = |of: Option<Side>| {
-            let within = self.within.iter().enumerate();
-            numbers(within.filter(move |(_, w)| **w == of).map(|(k, _)| k))
+        let count = Literal::usize_unsuffixed(self.regions());
+        let sides = 2 * self.pairs.len();
+        let inside = |stands: &dyn Fn(Option<Side>) -> bool| {
+            let choices = self.within.iter().enumerate();
+            let choices = choices.filter(move |(_, within)| stands(**within));
+            let numbers = choices.map(|(number, _)| Literal::usize_unsuffixed(number));
+            numbers.collect::<Vec<_>>()
         };
-        let unions = self.unions.iter().zip(2 * self.pairs.len()..);
-        let all = (0..self.regions()).map(|region| {
-            let holds = |(of, _): &(&BTreeSet<Side>, _)| of.contains(&region);
-            let parts_of = numbers(unions.clone().filter(holds).map(|(_, number)| number));
-            let choices = inside(Some(region));
+        let of_sides = (0..sides).map(|side| {
+            let mut parts_of = BTreeMap::new();
+            for (union, number) in self.unions.iter().zip(sides..) {
+                if union.contains(&side) {
+                    *parts_of.entry(number / WORD).or_insert(0u32) |= 1 << (number % WORD);
+                }
+            }
+            let holds = |of| self.sides(of).contains(&side);
+            let choices = inside(&|within| within.is_some_and(holds));
+            let parts_of = parts_of.into_iter().map(|(word, bits)| {
+                let (word, bits) = (
+                    Literal::usize_unsuffixed(word),
+                    Literal::u32_unsuffixed(bits),
+                );
+                quote!((#word, #bits))
+            });
             quote!(__zeroset::Region { parts_of: &[#(#parts_of),*], choices: &[#(#choices),*] })
         });
-        let outermost = inside(None);
-        quote!(__zeroset::Regions { outermost: &[#(#outermost),*], all: &[#(#all),*] })
+        let outermost = inside(&|within| within.is_none());
+        quote! {
+            __zeroset::Regions {
+                count: #count,
+                outermost: &[#(#outermost),*],
+                of_sides: &[#(#of_sides),*],
+            }
+        }
     }
 
     /// The innermost region around each side and each union.
@@ -94,11 +115,6 @@ impl Choices {
 /// Is a region alive, as the array `alive` says?
 pub fn alive(region: Side) -> TokenStream {
     let word = Literal::usize_unsuffixed(region / WORD);
-    let bit = Literal::u64_unsuffixed(1 << (region % WORD));
+    let bit = Literal::u32_unsuffixed(1 << (region % WORD));
     quote!((alive[#word] & #bit != 0))
-}
-
-fn numbers(all: impl Iterator<Item = usize>) -> Vec<Literal> {
-    all.map(|number| Literal::u32_unsuffixed(number as u32))
-        .collect()
 }

@@ -20,29 +20,30 @@ fn cost(op: &Op, quadratic: impl Fn(usize) -> bool) -> u32 {
 }
 
 impl Compiled<'_> {
-    /// `work`: of f along a ray, with one row of each outermost fold, and what either side of a choice adds to it.
+    /// `work`: of f along a ray outside of regions, of one row of each outermost fold, and of each region.
     pub fn work(&self) -> TokenStream {
         let (graph, layout) = (self.graph, self.layout);
         let roots: Vec<Id> = self.staged.jet.into_iter().flatten().take(1).collect();
         let nodes = graph.reachable(&roots, |id| layout.form.ready(graph, id));
         let quadratic = |k: usize| self.staged.leaves.get(k).is_some_and(|l| l.quadratic);
         let of = |id: &Id| cost(graph.op(*id), quadratic);
-        let within = |scope: &dyn Fn(Scope) -> bool| {
-            let own = nodes.iter().filter(|id| scope(graph.info(**id).scope));
+        let rows = layout.outermost.iter().map(|fold| {
+            let own = nodes.iter().filter(|id| graph.info(**id).scope.has(*fold));
             own.map(of).sum::<u32>()
-        };
-        let whole = within(&|scope| scope == Scope::default());
-        let rows = layout
-            .outermost
-            .iter()
-            .map(|f| within(&|scope| scope.has(*f)));
-        let sides = layout.choices.work(nodes.iter().map(|id| (*id, of(id))));
-        let sides = sides.iter().map(|[a, b]| quote!([#a, #b]));
+        });
+        let mut whole = 0;
+        let mut regions = vec![0; layout.choices.regions()];
+        let top = |id: &&Id| graph.info(**id).scope == Scope::default();
+        for id in nodes.iter().filter(top) {
+            let region = layout.choices.guard(*id);
+            let place = region.and_then(|region| regions.get_mut(region));
+            *place.unwrap_or(&mut whole) += of(id);
+        }
         quote! {
             const WORK: __zeroset::Work = __zeroset::Work {
                 whole: #whole,
                 rows: &[#(#rows),*],
-                sides: &[#(#sides),*],
+                regions: &[#(#regions),*],
             };
         }
     }

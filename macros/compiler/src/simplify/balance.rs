@@ -94,7 +94,7 @@ impl Graph {
             [] => self.integer(0),
             [part] => *part,
             _ => {
-                let (first, second) = parts.split_at(parts.len() / 2);
+                let (first, second) = parts.split_at(parts.len().div_ceil(2));
                 let (first, second) = (self.tree(function, first), self.tree(function, second));
                 self.binary(function, first, second)
             }

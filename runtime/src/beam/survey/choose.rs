@@ -49,6 +49,7 @@ impl<P: Packet> Surveyor<'_, P> {
         let before = active.rows.is_empty().then(|| work.of(active));
         for lane in lanes() {
             thin.choose(active, lane, &mut rows[lane].near);
+            rows[lane].near.find_regions(regions);
             rows[lane].all.clone_from(&given.all);
             rows[lane].reach = reach[lane];
             rows[lane].vain = 0;
@@ -64,8 +65,6 @@ impl<P: Packet> Surveyor<'_, P> {
                     given.reach
                 };
                 all |= 1 << lane;
-            } else {
-                rows[lane].near.find_regions(regions);
             }
         }
         if to_the_end && open & !all != 0 {
