@@ -10,7 +10,7 @@ use crate::functions::Function;
 use crate::graph::{Graph, Id, Op, Scope, operands};
 use crate::tree::FoldKind;
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// Turns nodes into code.
@@ -61,8 +61,13 @@ pub trait Target {
     }
     /// Writes such a node.
     fn write(&mut self, _id: Id, _value: &Self::Value, _out: &mut TokenStream) {}
-    /// The variables that a node's code declares, each with what stands for it where it is not computed.
-    fn declared(&self, _id: Id, _value: &Self::Value) -> Declared {
+    /// The operand that a node passes on where it is not computed.
+    fn passed(&self, _id: Id) -> Option<Id> {
+        None
+    }
+    /// The variables that a node's code declares, each with what stands for it where it is not computed: those of the operand
+    /// that is passed on, or nothing.
+    fn declared(&self, _id: Id, _value: &Self::Value, _passed: Option<&Self::Value>) -> Declared {
         Vec::new()
     }
     /// The variables in which a value stands.
@@ -179,8 +184,39 @@ fn sine_and_cosine(graph: &Graph, id: Id, run: &[Id]) -> Option<[Id; 2]> {
     }
 }
 
+/// What stands for a variable where it is not computed.
+#[derive(Clone)]
+pub enum Instead {
+    /// This expression.
+    Code(TokenStream),
+    /// Another variable.
+    Variable(Ident),
+}
+
+impl ToTokens for Instead {
+    fn to_tokens(&self, out: &mut TokenStream) {
+        match self {
+            Instead::Code(code) => code.to_tokens(out),
+            Instead::Variable(name) => name.to_tokens(out),
+        }
+    }
+}
+
 /// Variables, each with what stands for it where it is not computed.
-type Declared = Vec<(Ident, TokenStream)>;
+pub type Declared = Vec<(Ident, Instead)>;
+
+/// Outside of the code that declares these, what stands for them there.
+fn outside(mut declared: Declared) -> Declared {
+    let inner: HashMap<Ident, Instead> = declared.iter().cloned().collect();
+    for (_, instead) in &mut declared {
+        while let Instead::Variable(name) = instead
+            && let Some(next) = inner.get(name)
+        {
+            *instead = next.clone();
+        }
+    }
+    declared
+}
 
 /// The folds that one loop computes: the same fold, after the same loops of this block.
 type Loops = BTreeMap<(u32, usize), Vec<Id>>;
@@ -219,8 +255,9 @@ impl<T: Target> Block<'_, T> {
             }
             for id in &run {
                 self.operation(*id, &run, out);
+                let passed = self.target.passed(*id).and_then(|a| self.known.get(&a));
                 if let Some(value) = self.known.get(id) {
-                    declared.extend(self.target.declared(*id, value));
+                    declared.extend(self.target.declared(*id, value, passed));
                 }
             }
         }
@@ -237,7 +274,7 @@ impl<T: Target> Block<'_, T> {
     fn inside(&mut self, region: Side, run: &[Id], uses: &Uses, out: &mut TokenStream) -> Declared {
         let outer = self.region.replace(region);
         let mut code = TokenStream::new();
-        let mut declared = self.nodes(run, uses, &mut code);
+        let declared = self.nodes(run, uses, &mut code);
         self.region = outer;
         let inside: HashSet<Id> = run.iter().copied().collect();
         let mut lasting = HashSet::new();
@@ -249,6 +286,7 @@ impl<T: Target> Block<'_, T> {
                 _ => _ = self.known.remove(id),
             }
         }
+        let mut declared = outside(declared);
         declared.retain(|(name, _)| lasting.contains(name));
         let names: Vec<_> = declared.iter().map(|(name, _)| name).collect();
         let nothing = declared.iter().map(|(_, nothing)| nothing);

@@ -31,7 +31,9 @@ pub struct Choices {
     /// What guards each choice.
     pub(super) within: Vec<Option<Side>>,
     /// The nodes that are 0 unless a side is alive.
-    zeros: HashMap<Id, Side>,
+    pub(super) zeros: HashMap<Id, Side>,
+    /// The nodes that pass on an operand unless a side is alive.
+    pub(super) passes: HashMap<Id, (Side, Id)>,
     /// The unions, each with its sides.
     pub(super) unions: Vec<BTreeSet<Side>>,
     /// The guarded nodes of the segment stage, and those that leaves are made of.
@@ -149,6 +151,7 @@ impl Choices {
         // What guards a choice is known: from here on nodes may be narrowed to its sides.
         self.zeros = self.vanishing(graph, nodes);
         self.guards = self.guarded(graph, nodes, roots, ready);
+        self.passes = self.passing(graph, nodes);
         true
     }
 
@@ -170,6 +173,11 @@ impl Choices {
     /// The side that guards a node of the segment stage.
     pub fn guard(&self, id: Id) -> Option<Side> {
         self.guards.get(&id).copied()
+    }
+
+    /// The side in whose region a node stands that passes on an operand elsewhere, and that operand.
+    pub fn passed(&self, id: Id) -> Option<(Side, Id)> {
+        self.passes.get(&id).copied()
     }
 
     /// The side that guards a node which leaves are made of, or a leaf.

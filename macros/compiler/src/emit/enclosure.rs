@@ -1,6 +1,6 @@
 //! Code in the runtime's `Arithmetic`: interval packets, scalars, plain float vectors.
 
-use super::block::Target;
+use super::block::{Declared, Instead, Target};
 use super::choices::{Choices, Side, branches};
 use super::folds::{Visit, accumulator, enter_fields, enter_fine_rows, enter_rows};
 use super::layout::Layout;
@@ -157,7 +157,10 @@ impl Target for Enclosure<'_> {
 
     fn guard(&self, id: Id) -> Option<Side> {
         match self.stage {
-            Stage::Segment | Stage::Seen => self.choices().guard(id),
+            Stage::Segment | Stage::Seen => match self.choices().passed(id) {
+                Some((side, _)) => Some(side),
+                None => self.choices().guard(id),
+            },
             Stage::Surface | Stage::Space => None,
         }
     }
@@ -170,7 +173,14 @@ impl Target for Enclosure<'_> {
         }
     }
 
-    fn declared(&self, id: Id, value: &Value) -> Vec<(Ident, TokenStream)> {
+    fn passed(&self, id: Id) -> Option<Id> {
+        match self.stage {
+            Stage::Segment | Stage::Seen => self.choices().passed(id).map(|(_, operand)| operand),
+            Stage::Surface | Stage::Space => None,
+        }
+    }
+
+    fn declared(&self, id: Id, value: &Value, passed: Option<&Value>) -> Declared {
         let zero = interval(&crate::exact::Rational::from(0));
         let zero = quote!(a.constant(&#zero));
         let nothing = match self.graph.op(id) {
@@ -179,12 +189,16 @@ impl Target for Enclosure<'_> {
             }
             _ => zero,
         };
+        let instead = |of: Option<&Ident>, nothing| {
+            of.map_or(Instead::Code(nothing), |of| Instead::Variable(of.clone()))
+        };
+        let number = instead(passed.map(|v| &v.name), nothing);
         // Flags may be those of an operand, which were declared with it.
         let own = flags(id);
         let flags = value.flags.clone().filter(|f| *f == own);
-        let flags = flags.map(|f| (f, quote!(a.clear())));
-        std::iter::once((value.name.clone(), nothing))
-            .chain(flags)
+        let none = instead(passed.and_then(|v| v.flags.as_ref()), quote!(a.clear()));
+        std::iter::once((value.name.clone(), number))
+            .chain(flags.map(|f| (f, none)))
             .collect()
     }
 

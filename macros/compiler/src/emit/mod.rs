@@ -8,6 +8,7 @@ mod folds;
 mod in_space;
 mod item;
 mod layout;
+mod passes;
 mod polynomial;
 mod prepare;
 mod rebind;

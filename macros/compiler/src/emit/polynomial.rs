@@ -1,6 +1,6 @@
 //! The ray stage: coefficients of linear and quadratic subexpressions in t, by propagation through the graph as written.
 
-use super::block::Target;
+use super::block::{Declared, Instead, Target};
 use super::choices::Side;
 use super::folds::{Visit, enter_rows};
 use super::layout::Layout;
@@ -119,10 +119,11 @@ impl Target for Polynomial<'_> {
         }
     }
 
-    fn declared(&self, _: Id, value: &Coefficients) -> Vec<(Ident, TokenStream)> {
+    fn declared(&self, _: Id, value: &Coefficients, _: Option<&Coefficients>) -> Declared {
         let zero = interval(&crate::exact::Rational::from(0));
+        let nothing = Instead::Code(quote!(a.constant(&#zero)));
         let all = value.iter().cloned();
-        all.map(|name| (name, quote!(a.constant(&#zero)))).collect()
+        all.map(|name| (name, nothing.clone())).collect()
     }
 
     fn names(&self, value: &Coefficients) -> Vec<Ident> {
