@@ -130,6 +130,21 @@ fn rows(count: usize) -> Vec<[f64; 4]> {
     (0..count).map(|_| row()).collect()
 }
 
+// Parts one after the other: what each adds may be left out, and then the next passes on what came before.
+implicit! {
+    #[derive(Clone)]
+    struct Chain;
+    let a = max(abs(x + 0.5) - 0.3, max(abs(y + 0.4) - 0.2, abs(z) - 0.4));
+    let b = min(min(min(a, (x - 0.5)^2 + (y - 0.5)^2 + z^2 - 0.1), sqrt(x^2 + (y - 0.6)^2) - 0.1), (x - 0.6)^2 + (y + 0.6)^2 + z^2 - 0.05);
+    let c = max(b, 0.09 - x^2 - (y - 0.3)^2 - (z - 0.3)^2);
+    let ball = (x + 0.1)^2 + (y + 0.3)^2 + (z - 0.2)^2 - 0.15;
+    let h = max(0.1 - abs(c - ball), 0);
+    let d = min(c, ball) - h*h*2.5;
+    let rod = sqrt((y + 0.7)^2 + (z - 0.4)^2) - 0.1;
+    let g = max(0.05 - abs(d - rod), 0);
+    min(min(d, rod) - g*g*5.0, max(abs(x - 0.1) - 0.05, abs(y) - 0.05))
+}
+
 fn scenes() -> Vec<(&'static str, Scene)> {
     let within = |scene: Scene| scene.within([-1.0; 3], [1.0; 3]);
     vec![
@@ -140,6 +155,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("gem", within(Scene::new().with(Gem { rows: rows(48) }))),
         ("part", within(Scene::new().with(Part))),
         ("blend", within(Scene::new().with(Blend))),
+        ("chain", within(Scene::new().with(Chain))),
         ("flush", within(Scene::new().with(Flush))),
         ("cut", within(Scene::new().with(Cut))),
         ("step", within(Scene::new().with(Step))),
