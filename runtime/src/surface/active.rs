@@ -114,7 +114,8 @@ impl Active {
     pub(super) fn regions(&self) -> impl Iterator<Item = usize> {
         let words = self.alive[0].iter().enumerate();
         words.flat_map(|(number, word)| {
-            let rest = core::iter::successors(Some(*word), |rest| Some(rest & rest.wrapping_sub(1)));
+            let rest =
+                core::iter::successors(Some(*word), |rest| Some(rest & rest.wrapping_sub(1)));
             let rest = rest.take_while(|rest| *rest != 0);
             rest.map(move |rest| 32 * number + rest.trailing_zeros() as usize)
         })

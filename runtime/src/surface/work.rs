@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn lists_pay_if_they_spare_a_quarter() {
-        let regions = Regions {
+        let along_rays = Regions {
             count: 2,
             outermost: &[0],
             of_sides: &[Region {
@@ -51,6 +51,7 @@ mod tests {
                 choices: &[],
             }; 2],
         };
+        let regions = [along_rays, Regions::NONE];
         let work = Work {
             whole: 30,
             rows: &[10],
