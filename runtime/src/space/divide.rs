@@ -83,6 +83,7 @@ impl<P: Packet> Routine<P> for Divide<'_, '_, P> {
                 let mut chosen = Active::default();
                 thin.choose(active, lane, &mut chosen);
                 chosen.find_regions(self.surface.regions());
+                chosen.find_in_space(self.surface.regions());
                 Arc::new(chosen)
             });
         }

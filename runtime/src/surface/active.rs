@@ -103,11 +103,14 @@ impl Active {
         self.alive[1].first_chunk().expect(FOREIGN)
     }
 
-    /// Finds out which regions are alive, from what is known of each choice. Until then those are that were before.
-    pub(crate) fn find_regions(&mut self, regions: &[Regions; 2]) {
-        for (regions, alive) in regions.iter().zip(&mut self.alive) {
-            regions.find(&self.choices, alive);
-        }
+    /// Finds out which regions along rays are alive, from what is known of each choice. Until then those are that were before.
+    pub(crate) fn find_regions(&mut self, [along_rays, _]: &[Regions; 2]) {
+        along_rays.find(&self.choices, &mut self.alive[0]);
+    }
+
+    /// The same in space.
+    pub(crate) fn find_in_space(&mut self, [_, in_space]: &[Regions; 2]) {
+        in_space.find(&self.choices, &mut self.alive[1]);
     }
 
     /// The numbers of the regions along rays that are alive; behind them numbers of none may come.

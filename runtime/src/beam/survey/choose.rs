@@ -49,7 +49,10 @@ impl<P: Packet> Surveyor<'_, P> {
         let before = active.rows.is_empty().then(|| work.of(active));
         for lane in lanes() {
             thin.choose(active, lane, &mut rows[lane].near);
-            rows[lane].near.find_regions(regions);
+            // Where no choice was decided, the regions are those that were.
+            if rows[lane].near.choices != active.choices {
+                rows[lane].near.find_regions(regions);
+            }
             rows[lane].all.clone_from(&given.all);
             rows[lane].reach = reach[lane];
             rows[lane].vain = 0;
@@ -65,6 +68,8 @@ impl<P: Packet> Surveyor<'_, P> {
                     given.reach
                 };
                 all |= 1 << lane;
+            } else {
+                rows[lane].near.find_in_space(regions);
             }
         }
         if to_the_end && open & !all != 0 {
@@ -74,6 +79,7 @@ impl<P: Packet> Surveyor<'_, P> {
             for lane in lanes().filter(|lane| all >> lane & 1 == 0) {
                 thin.choose(active, lane, &mut rows[lane].all);
                 rows[lane].all.find_regions(regions);
+                rows[lane].all.find_in_space(regions);
             }
         }
     }
