@@ -6,7 +6,7 @@
 use super::Graph;
 use crate::functions::Function;
 use crate::graph::{Id, Op, Scope, operands, operands_mut};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 impl Graph {
     /// The same value, with each chain of minima or maxima as a balanced tree; the order of what they compare stays.
@@ -18,7 +18,7 @@ impl Graph {
         let inner = self.inner(&nodes);
         let mut new: HashMap<Id, Id> = HashMap::new();
         for id in nodes {
-            if inner.contains_key(&id) {
+            if inner.contains(&id) {
                 continue;
             }
             let now = match self.chain_at(id) {
@@ -51,8 +51,8 @@ impl Graph {
         }
     }
 
-    /// The nodes inside of chains, each with its user: a node of the same function, and the only one.
-    fn inner(&self, nodes: &[Id]) -> HashMap<Id, Id> {
+    /// The nodes inside of chains: those with one user, a node of the same function.
+    fn inner(&self, nodes: &[Id]) -> HashSet<Id> {
         let mut users: HashMap<Id, Vec<Id>> = HashMap::new();
         for &id in nodes {
             for operand in operands(self.op(id)) {
@@ -64,23 +64,23 @@ impl Graph {
             function.is_some() && function == self.chain_at(user)
         };
         let only = |(id, users): (Id, Vec<Id>)| match *users {
-            [user] if same(id, user) => Some((id, user)),
+            [user] if same(id, user) => Some(id),
             _ => None,
         };
         users.into_iter().filter_map(only).collect()
     }
 
     /// Does a chain begin here, of more than one node?
-    fn goes_on(&self, id: Id, inner: &HashMap<Id, Id>) -> bool {
-        operands(self.op(id)).iter().any(|a| inner.contains_key(a))
+    fn goes_on(&self, id: Id, inner: &HashSet<Id>) -> bool {
+        operands(self.op(id)).iter().any(|a| inner.contains(a))
     }
 
     /// What a chain compares, in the order in which it is written.
-    fn parts(&self, of: Id, inner: &HashMap<Id, Id>) -> Vec<Id> {
+    fn parts(&self, of: Id, inner: &HashSet<Id>) -> Vec<Id> {
         let mut todo = vec![of];
         let mut parts = Vec::new();
         while let Some(id) = todo.pop() {
-            if id == of || inner.contains_key(&id) {
+            if id == of || inner.contains(&id) {
                 todo.extend(operands(self.op(id)).into_iter().rev());
             } else {
                 parts.push(id);
