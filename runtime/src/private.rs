@@ -9,7 +9,7 @@ pub use crate::ray::Rays;
 pub use crate::solid::{Operand, Solid};
 pub use crate::surface::Row as ActiveRow;
 pub use crate::surface::{
-    Active, Continuity, Operations, ParameterError, Region, Regions, Report, Surface, Terms, Work,
+    Active, Continuity, Operations, ParameterError, Place, Regions, Report, Surface, Terms, Work,
 };
 pub use std::default::Default;
 pub use std::ops::{BitAnd, BitOr, Not, Sub};

@@ -28,20 +28,43 @@ impl<'a, P: Packet> Group<'a, P> {
     /// pixels; in pixels to the right and up from the middle of the picture.
     #[inline(always)]
     pub fn new(p: P, frame: &'a Frame, corner: [f64; 2], grid: &Grid) -> Self {
-        let [width, height] = grid.part.map(f64::from);
+        let [width, height] = grid.part;
+        Self::of(p, frame, grid.part, grid.whole, |lane| {
+            let (column, row) = (lane as u32 % grid.columns, lane as u32 / grid.columns);
+            let [right, down] = [column * width, row * height].map(f64::from);
+            [corner[0] + right, corner[1] - down]
+        })
+    }
+
+    /// The beam of a rectangle of pixels, through the places where they are sampled, in all lanes.
+    #[inline(always)]
+    pub fn alone(p: P, frame: &'a Frame, corner: [f64; 2], size: [u32; 2]) -> Self {
+        Self::of(p, frame, size, false, |_| corner)
+    }
+
+    /// Beams of this size, of which the upper left pixels are told.
+    #[inline(always)]
+    fn of(
+        p: P,
+        frame: &'a Frame,
+        size: [u32; 2],
+        whole: bool,
+        corner: impl Fn(usize) -> [f64; 2],
+    ) -> Self {
+        let size = size.map(f64::from);
         let (mut x, mut y) = ([0.0; 8], [0.0; 8]);
         for lane in p.own() {
-            let (column, row) = (lane as u32 % grid.columns, lane as u32 / grid.columns);
-            x[lane] = corner[0] + f64::from(column) * width + 0.5 * (width - 1.0);
-            y[lane] = corner[1] - f64::from(row) * height - 0.5 * (height - 1.0);
+            let corner = corner(lane);
+            x[lane] = corner[0] + 0.5 * (size[0] - 1.0);
+            y[lane] = corner[1] - 0.5 * (size[1] - 1.0);
         }
         // Pixels are exact numbers here; the size of a pixel times one is rounded, and so is the middle.
         let pixel = p.splat(frame.pixel);
         let pixels = [p.lanes(x), p.lanes(y)];
         let middle = pixels.map(|x| p.mul_rn(x, pixel));
         let mut half = middle;
-        for (k, size) in [width, height].into_iter().enumerate() {
-            let reach = if grid.whole { size } else { size - 1.0 };
+        for (k, size) in size.into_iter().enumerate() {
+            let reach = if whole { size } else { size - 1.0 };
             let round = p.mul_ru(p.abs_f(middle[k]), p.splat(f64::EPSILON));
             half[k] = p.add_ru(round, p.mul_ru(p.splat(0.5 * reach), pixel));
         }
@@ -91,6 +114,17 @@ impl<'a, P: Packet> Group<'a, P> {
             t: *t,
             half: [p.add_ru(half[0], slack), p.add_ru(half[1], slack)],
         }
+    }
+
+    /// All directions over a piece and a little more: the rays' own t differs by the frame's slack.
+    #[inline(always)]
+    pub fn around(&self, p: P, front: P::F, back: P::F) -> Towards<P::F> {
+        let slack = p.splat(8.0 * self.slack());
+        let t = Interval {
+            lo: p.max_f(p.sub_rd(front, slack), p.splat(0.0)),
+            hi: p.add_ru(back, slack),
+        };
+        self.towards(p, self.slab(p, &t), Direction::Any)
     }
 
     /// A direction over `over`.

@@ -26,5 +26,5 @@ pub use leaf::{LinearOver, OverBeams, QuadraticOver};
 pub use parameter::{Direction, Slab, Towards};
 pub(crate) use rebind::{Assemble, Shift};
 pub(crate) use rows::Rows;
-pub(crate) use survey::{Bundle, Findings, Request, Scout, Space};
+pub(crate) use survey::{Behind, Bundle, Findings, Pieces, Request, Scout, Space};
 pub(crate) use thin::Thin;

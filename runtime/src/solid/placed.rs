@@ -341,7 +341,7 @@ impl<S: Surface> Surface for Placed<S> {
         jet
     }
 
-    const REGIONS: [Regions; 2] = S::REGIONS;
+    const REGIONS: Regions = S::REGIONS;
     const WORK: Work = S::WORK;
 
     fn quadric<L: Leaves>(bound: &Self::Bound<L>) -> Option<&L::Quadratic> {

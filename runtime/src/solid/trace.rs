@@ -231,7 +231,7 @@ impl Prepared for PreparedSolid<'_> {
 
     /// Each operand may be on either side.
     fn everything(&self) -> Active {
-        Active::everything(&[], 0, self.leaves.len(), &[Regions::NONE; 2])
+        Active::everything(&[], 0, self.leaves.len(), &Regions::NONE)
     }
 
     /// A part holds no face where all of it is on one side.

@@ -82,8 +82,6 @@ impl<P: Packet> Routine<P> for Divide<'_, '_, P> {
             division.add(*place, open, |lane| {
                 let mut chosen = Active::default();
                 thin.choose(active, lane, &mut chosen);
-                chosen.find_regions(self.surface.regions());
-                chosen.find_in_space(self.surface.regions());
                 Arc::new(chosen)
             });
         }
@@ -145,7 +143,9 @@ impl<P: Packet> Divide<'_, '_, P> {
             thin.measure(|to| self.surface.terms(p, &over, to));
         }
         let over = towards(p, *slab, Direction::Any);
-        thin.weigh(active, |to| self.surface.terms(p, &over, to));
+        thin.weigh(active, self.surface.regions(), |to| {
+            self.surface.terms(p, &over, to)
+        });
     }
 }
 

@@ -1,7 +1,9 @@
 //! What of a surface is active over a part of space: rows of its tables, and sides of its choices.
 
+use super::regions::words;
 use super::{Regions, Surface};
 use crate::interval::Interval;
+use std::sync::OnceLock;
 
 /// What of its tables a surface visits.
 #[derive(Debug, Default, PartialEq)]
@@ -14,8 +16,10 @@ pub struct Active {
     pub rest: Vec<Rest>,
     /// What is known of each choice between two sides.
     pub choices: Vec<Choice>,
-    /// Which regions of the surface's code are alive, along rays and in space, bit by bit.
-    alive: [Vec<u32>; 2],
+    /// Which regions of the surface's code along rays are alive, bit by bit.
+    alive: Vec<u32>,
+    /// The same in space, found when it is asked for.
+    in_space: OnceLock<Vec<u32>>,
     /// Were rows or sides left out because their sign is certain? Then f has its sign and its zeros, but elsewhere not its
     /// value: what is proved of it with other rows does not hold for it.
     pub by_sign: bool,
@@ -60,12 +64,7 @@ pub struct Rest {
 impl Active {
     /// All rows of folds of these lengths, for a formula with so many sums and choices, and all of these regions.
     #[must_use]
-    pub fn everything(
-        lengths: &[usize],
-        sums: usize,
-        choices: usize,
-        regions: &[Regions; 2],
-    ) -> Self {
+    pub fn everything(lengths: &[usize], sums: usize, choices: usize, regions: &Regions) -> Self {
         let nothing = Interval { lo: 0.0, hi: 0.0 };
         let rest = Rest {
             all: nothing,
@@ -76,7 +75,8 @@ impl Active {
             rough: lengths.to_vec(),
             rest: vec![rest; sums],
             choices: vec![Choice::Open; choices],
-            alive: regions.each_ref().map(Regions::all),
+            alive: regions.all(),
+            in_space: OnceLock::new(),
             by_sign: false,
         }
     }
@@ -89,33 +89,31 @@ impl Active {
     #[inline(always)]
     #[must_use]
     pub fn alive<const WORDS: usize>(&self) -> &[u32; WORDS] {
-        self.alive[0].first_chunk().expect(FOREIGN)
+        self.alive.first_chunk().expect(FOREIGN)
     }
 
-    /// The same in space.
+    /// The same in space, where these are the regions.
     ///
     /// # Panics
     ///
     /// If it has more.
-    #[inline(always)]
+    #[inline]
     #[must_use]
-    pub fn alive_in_space<const WORDS: usize>(&self) -> &[u32; WORDS] {
-        self.alive[1].first_chunk().expect(FOREIGN)
+    pub fn alive_in_space<const WORDS: usize>(&self, regions: &Regions) -> &[u32; WORDS] {
+        let alive = self.in_space.get_or_init(|| regions.alive(&self.choices));
+        alive.first_chunk().expect(FOREIGN)
     }
 
-    /// Finds out which regions along rays are alive, from what is known of each choice. Until then those are that were before.
-    pub(crate) fn find_regions(&mut self, [along_rays, _]: &[Regions; 2]) {
-        along_rays.find(&self.choices, &mut self.alive[0]);
-    }
-
-    /// The same in space.
-    pub(crate) fn find_in_space(&mut self, [_, in_space]: &[Regions; 2]) {
-        in_space.find(&self.choices, &mut self.alive[1]);
+    /// Marks the regions along rays that are alive in this one of eight lists, of which [`Regions::find`] tells.
+    pub(crate) fn mark(&mut self, alive: &[u8], list: usize) {
+        self.alive.clear();
+        self.alive.extend(words(alive, list));
+        self.in_space.take();
     }
 
     /// The numbers of the regions along rays that are alive; behind them numbers of none may come.
     pub(super) fn regions(&self) -> impl Iterator<Item = usize> {
-        let words = self.alive[0].iter().enumerate();
+        let words = self.alive.iter().enumerate();
         words.flat_map(|(number, word)| {
             let rest =
                 core::iter::successors(Some(*word), |rest| Some(rest & rest.wrapping_sub(1)));
@@ -158,6 +156,7 @@ impl Active {
         self.rest.clone_from(&other.rest);
         self.choices.clone_from(&other.choices);
         self.alive.clone_from(&other.alive);
+        self.in_space.clone_from(&other.in_space);
         self.by_sign = other.by_sign;
     }
 
@@ -188,6 +187,7 @@ impl Clone for Active {
             rest: self.rest.clone(),
             choices: self.choices.clone(),
             alive: self.alive.clone(),
+            in_space: self.in_space.clone(),
             by_sign: self.by_sign,
         }
     }
@@ -198,6 +198,7 @@ impl Clone for Active {
         self.rest.clone_from(&from.rest);
         self.choices.clone_from(&from.choices);
         self.alive.clone_from(&from.alive);
+        self.in_space.clone_from(&from.in_space);
         self.by_sign = from.by_sign;
     }
 }

@@ -5,7 +5,7 @@ mod regions;
 mod work;
 
 pub use active::{Active, Choice, Rest, Row};
-pub use regions::{Region, Regions};
+pub use regions::{Place, Regions};
 pub use work::Work;
 
 use crate::interval::{Arithmetic, Flags, Jet, Leaves, Packet, Parameter, Rebind, Truth};
@@ -133,8 +133,8 @@ pub trait Surface: Send + Sync {
         prepared: &Self::Prepared,
         point: [A::Value; 3],
     ) -> Jet<A::Value, A::Packet, 10>;
-    /// The regions of its code along rays, and of [`seen`](Self::seen).
-    const REGIONS: [Regions; 2] = [Regions::NONE; 2];
+    /// The regions of its code along rays.
+    const REGIONS: Regions = Regions::NONE;
     /// What evaluations cost.
     const WORK: Work = Work::UNKNOWN;
     /// Does [`seen`](Self::seen) leave out just what segments do, also where it is left out by its sign?

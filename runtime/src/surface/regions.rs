@@ -2,82 +2,101 @@
 
 use super::Choice;
 
-/// The regions of a formula's code, and the choices inside of them: two for each choice, one for either side, and behind them
-/// those that several sides share.
+/// The regions of a formula's code: two for each choice, one for either side, and behind them those that several sides share.
 #[derive(Clone, Copy, Debug)]
 pub struct Regions {
     /// How many there are.
     pub count: usize,
-    /// The choices that stand in no region.
-    pub outermost: &'static [u32],
-    /// Those of one side.
-    pub of_sides: &'static [Region],
+    /// The choices: what stands inside of others comes behind these.
+    pub choices: &'static [Place],
 }
 
-/// A region of one side.
+/// A choice among others.
 #[derive(Clone, Copy, Debug)]
-pub struct Region {
-    /// Those of several sides, of which it is one: words of bits, and which bits.
-    pub parts_of: &'static [(u32, u32)],
-    /// The choices that stand in it, or in one of these.
-    pub choices: &'static [u32],
+pub struct Place {
+    /// Which it is.
+    pub choice: u32,
+    /// The region in which it stands.
+    pub within: Option<u32>,
+    /// So many of the choices that follow stand inside of its sides.
+    pub inside: u32,
+    /// The regions of several sides that each of its own is a part of.
+    pub parts_of: [&'static [u32]; 2],
 }
 
 impl Regions {
     /// There are no choices.
     pub const NONE: Regions = Regions {
         count: 0,
-        outermost: &[],
-        of_sides: &[],
+        choices: &[],
     };
 
     /// All of them, bit by bit.
     pub(super) fn all(&self) -> Vec<u32> {
-        vec![u32::MAX; self.words()]
+        vec![u32::MAX; self.count.div_ceil(WORD)]
     }
 
-    fn words(&self) -> usize {
-        self.count.div_ceil(32)
+    /// Those that are alive with what is known of each choice, bit by bit.
+    pub(super) fn alive(&self, choices: &[Choice]) -> Vec<u32> {
+        let sides = |choice: &Choice| [u8::from(choice.first()), u8::from(choice.second())];
+        let may: Vec<_> = choices.iter().map(sides).collect();
+        let mut alive = Vec::new();
+        self.find(&may, &mut alive);
+        words(&alive, 0).collect()
     }
 
-    /// Those that are alive. A side is if its choice may fall on it and stands where code is alive.
-    pub(super) fn find(&self, choices: &[Choice], alive: &mut Vec<u32>) {
+    /// In which of eight lists each region is alive, from those in which the first number of each choice may be less, and the
+    /// second.
+    pub(crate) fn find(&self, may: &[[u8; 2]], alive: &mut Vec<u8>) {
         alive.clear();
-        alive.resize(self.words(), 0);
-        self.choose(self.outermost, choices, alive);
-    }
-
-    fn choose(&self, among: &[u32], choices: &[Choice], alive: &mut [u32]) {
-        for &number in among {
-            let first = 2 * number as usize;
-            if alive[first / 32] >> (first % 32) & 0b11 != 0 {
-                // It was met before, in a region of several sides.
-                continue;
+        alive.resize(self.count.next_multiple_of(WORD), 0);
+        let mut next = 0;
+        while let Some(place) = self.choices.get(next) {
+            let around = place.within.map_or(!0, |region| alive[region as usize]);
+            let mut any = 0;
+            for (side, parts_of) in place.parts_of.iter().enumerate() {
+                let lists = may[place.choice as usize][side] & around;
+                if lists != 0 {
+                    alive[2 * place.choice as usize + side] = lists;
+                    parts_of
+                        .iter()
+                        .for_each(|union| alive[*union as usize] |= lists);
+                    any = lists;
+                }
             }
-            let choice = choices[number as usize];
-            if choice.first() {
-                self.enter(first, choices, alive);
-            }
-            if choice.second() {
-                self.enter(first + 1, choices, alive);
-            }
+            next += if any == 0 {
+                place.inside as usize + 1
+            } else {
+                1
+            };
         }
     }
+}
 
-    fn enter(&self, side: usize, choices: &[Choice], alive: &mut [u32]) {
-        alive[side / 32] |= 1 << (side % 32);
-        let region = &self.of_sides[side];
-        for &(word, bits) in region.parts_of {
-            alive[word as usize] |= bits;
-        }
-        self.choose(region.choices, choices, alive);
-    }
+/// How many regions a word tells of.
+const WORD: usize = u32::BITS as usize;
+
+/// What [`Regions::find`] tells of one of its lists, bit by bit.
+pub(super) fn words(alive: &[u8], list: usize) -> impl Iterator<Item = u32> {
+    /// The lowest bit of each byte, …
+    const EACH: u64 = 0x0101_0101_0101_0101;
+    /// … and from there to the byte's own place in the highest.
+    const TOGETHER: u64 = 0x0102_0408_1020_4080;
+    let byte = move |eight: &[u8; 8]| {
+        let bits = u64::from_le_bytes(*eight) >> list & EACH;
+        (bits.wrapping_mul(TOGETHER) >> 56) as u8
+    };
+    let (eights, _) = alive.as_chunks::<8>();
+    let (words, _) = eights.as_chunks::<4>();
+    words
+        .iter()
+        .map(move |word| u32::from_le_bytes(word.each_ref().map(byte)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::Choice;
-    use super::{Region, Regions};
+    use super::{Place, Regions, words};
 
     /// Numbers below `n`, one after the other.
     fn random(state: &mut u64, n: usize) -> usize {
@@ -128,22 +147,22 @@ mod tests {
 
         fn table(&self) -> Regions {
             let sides = 2 * self.within.len();
-            let standing = |stands: &dyn Fn(Option<usize>) -> bool| -> &'static [u32] {
-                let all = (0..self.within.len()).filter(|k| stands(self.within[*k]));
-                all.map(|k| k as u32).collect::<Vec<_>>().leak()
+            let parts_of = |side| -> &'static [u32] {
+                let unions = (0..self.unions.len()).filter(|u| self.unions[*u].contains(&side));
+                unions
+                    .map(|u| (sides + u) as u32)
+                    .collect::<Vec<_>>()
+                    .leak()
             };
-            let of_sides = (0..sides).map(|side| {
-                let parts_of = (0..self.unions.len()).filter(|u| self.unions[*u].contains(&side));
-                let parts_of = parts_of.map(|u| ((sides + u) as u32 / 32, 1 << ((sides + u) % 32)));
-                Region {
-                    parts_of: parts_of.collect::<Vec<_>>().leak(),
-                    choices: standing(&|w| w.is_some_and(|of| self.holds(of).contains(&side))),
-                }
+            let choices = (0..).zip(&self.within).map(|(choice, within)| Place {
+                choice,
+                within: within.map(|region| region as u32),
+                inside: 0,
+                parts_of: [0, 1].map(|side| parts_of(2 * choice as usize + side)),
             });
             Regions {
                 count: sides + self.unions.len(),
-                outermost: standing(&|w| w.is_none()),
-                of_sides: of_sides.collect::<Vec<_>>().leak(),
+                choices: choices.collect::<Vec<_>>().leak(),
             }
         }
     }
@@ -153,14 +172,24 @@ mod tests {
         let (mut state, mut dead) = (7, 0);
         for _ in 0..300 {
             let nest = Nest::new(&mut state, 40);
-            let (table, mut found) = (nest.table(), Vec::new());
             let any = [Choice::Open, Choice::First, Choice::Second];
-            let choices: Vec<Choice> = (0..40).map(|_| any[random(&mut state, 3)]).collect();
-            table.find(&choices, &mut found);
-            for region in 0..table.count {
-                let alive = found[region / 32] >> (region % 32) & 1 != 0;
-                assert_eq!(alive, nest.alive(&choices, region), "{region}");
-                dead += usize::from(!alive);
+            let mut list = || (0..40).map(|_| any[random(&mut state, 3)]).collect();
+            let lists: [Vec<Choice>; 8] = core::array::from_fn(|_| list());
+            let bits = |choice: usize, side: fn(Choice) -> bool| {
+                let may = (0..8).filter(|k| side(lists[*k][choice]));
+                may.fold(0, |bits, k| bits | 1 << k)
+            };
+            let may = |choice| [bits(choice, Choice::first), bits(choice, Choice::second)];
+            let may: Vec<[u8; 2]> = (0..40).map(may).collect();
+            let (table, mut found) = (nest.table(), Vec::new());
+            table.find(&may, &mut found);
+            for (list, choices) in lists.iter().enumerate() {
+                let found: Vec<u32> = words(&found, list).collect();
+                for region in 0..table.count {
+                    let alive = found[region / 32] >> (region % 32) & 1 != 0;
+                    assert_eq!(alive, nest.alive(choices, region), "{region}");
+                    dead += usize::from(!alive);
+                }
             }
         }
         assert!(dead > 1_000, "{dead}");

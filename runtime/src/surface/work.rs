@@ -38,36 +38,36 @@ impl Work {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Choice, Region, Regions};
+    use super::super::{Place, Regions};
     use super::{Active, Work};
 
     #[test]
     fn lists_pay_if_they_spare_a_quarter() {
-        let along_rays = Regions {
+        let regions = Regions {
             count: 2,
-            outermost: &[0],
-            of_sides: &[Region {
-                parts_of: &[],
-                choices: &[],
-            }; 2],
+            choices: &[Place {
+                choice: 0,
+                within: None,
+                inside: 0,
+                parts_of: [&[]; 2],
+            }],
         };
-        let regions = [along_rays, Regions::NONE];
         let work = Work {
             whole: 30,
             rows: &[10],
             regions: &[60, 10],
         };
         let all = Active::everything(&[8], 0, 1, &regions);
-        let with = |choice| {
-            let mut active = all.clone();
-            active.choices = vec![choice];
-            active.find_regions(&regions);
+        let with = |may| {
+            let (mut active, mut alive) = (all.clone(), Vec::new());
+            regions.find(&[may], &mut alive);
+            active.mark(&alive, 0);
             active
         };
         assert_eq!(work.of(&all), 180);
         // Where the first number is less, the second side is not computed.
-        assert!(!work.pays(&with(Choice::First), work.of(&all)));
-        assert!(work.pays(&with(Choice::Second), work.of(&all)));
+        assert!(!work.pays(&with([1, 0]), work.of(&all)));
+        assert!(work.pays(&with([0, 1]), work.of(&all)));
         let rows = |n| Active::everything(&[n], 0, 1, &regions);
         assert!(!work.pays(&rows(4), work.of(&all)));
         assert!(work.pays(&rows(3), work.of(&all)));

@@ -95,7 +95,7 @@ impl<S: Surface, P: Packet> Bundle<P> for OverGroup<'_, S, P> {
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin) {
         p.call(AllTerms { of: self, over, to });
     }
-    fn regions(&self) -> &'static [Regions; 2] {
+    fn regions(&self) -> &'static Regions {
         &S::REGIONS
     }
     fn work(&self) -> &'static Work {

@@ -4,11 +4,11 @@ use core::marker::PhantomData;
 
 use super::nearest::{collect, keep, segment};
 use super::{Entries, FirstRoots, OnRays};
-use crate::beam::{Hint, Rows, Single};
+use crate::beam::{Behind, Bundle, Hint, Pieces, Rows, Scout, Single, Space};
 use crate::contract::Contractor;
 use crate::interval::{Interval, Packet};
 use crate::ray::Rays;
-use crate::render::tile::{Tile, View};
+use crate::render::tile::{PACKET, Tile, View};
 use crate::scene::TileJob;
 use crate::solve::{Brackets, Events, Roots, Settings};
 use crate::surface::{Active, Surface};
@@ -61,28 +61,35 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         self.tile.rooms.push(self.bound);
     }
 
-    /// Traces a packet of the tile, of which this much is known: first where few rows of tables matter, and where the
-    /// octree's boxes are. Rays that pass the former, or meet what is no certain root, are searched with all rows that matter;
-    /// those that meet it again, with all that there are, where no boxes are either: each from shortly in front of it.
+    /// Traces a packet of the tile: first where few rows of tables matter, and where the octree's boxes are. Rays that pass
+    /// the former are searched behind it, piece by piece, or with all rows that matter; those that meet what is no certain root
+    /// with all of these, too, and if they meet it again, with all that there are, where no boxes are either: each from shortly
+    /// in front of it.
     #[inline(always)]
-    pub(super) fn part(&mut self, number: usize, hint: &Hint, rows: &Rows, within: [f64; 2]) {
+    pub(super) fn part(
+        &mut self,
+        number: usize,
+        (hint, rows, within): Known,
+        behind: &mut Option<LooksBehind<'_, P>>,
+    ) {
         let p = self.p;
-        let mut left = Left {
-            lanes: p.not(p.none()),
-            from: p.splat(0.0),
-            spent: p.splat(0.0),
-        };
+        let mut left = Left::all(p);
         let mut look = Look {
             active: &rows.near,
             reach: rows.reach,
             within,
             separated: true,
         };
-        loop {
-            left = self.search(number, hint, &look, &left);
-            if look.is_whole::<S>() || !p.any(left.lanes) {
-                return;
-            }
+        self.search(number, hint, &look, &mut left);
+        // Sums are told with what is left out of them near the front.
+        if let Some(behind) = behind
+            && look.reach < f64::INFINITY
+            && rows.all.rest.is_empty()
+            && p.any(left.lanes)
+        {
+            self.behind(number, (rows, within), behind, &mut left);
+        }
+        while !look.is_whole::<S>() && left.begin_again(p) {
             look.separated &= !rows.near.by_sign;
             if look.reach < f64::INFINITY {
                 look.active = &rows.all;
@@ -92,12 +99,61 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
                 look.active = self.everything;
                 look.within = ANYWHERE;
             }
+            self.search(number, hint, &look, &mut left);
         }
+    }
+
+    /// Searches behind what is near, piece by piece. Those that meet what is no certain root are left.
+    #[inline(always)]
+    fn behind(
+        &mut self,
+        number: usize,
+        (rows, within): (&Rows, [f64; 2]),
+        looks: &mut LooksBehind<'_, P>,
+        left: &mut Left<P>,
+    ) {
+        let p = self.p;
+        if !looks.ready {
+            let beam = Behind {
+                space: looks.space,
+                corner: self.view.plane(self.tile.corner_of(number)),
+                size: PACKET,
+                within: [rows.reach, within[1]],
+                active: &rows.all,
+            };
+            let LooksBehind {
+                surface, pieces, ..
+            } = looks;
+            let Some(count) = Scout::look_behind(p, &mut **surface, &beam, pieces) else {
+                return;
+            };
+            self.tile.counts.beams += count;
+            looks.ready = true;
+        }
+        let entry = p.lanes(self.tile.packets[number].record.entry);
+        for piece in 0..8 {
+            let reach = looks.pieces.end[piece];
+            if !p.any(left.lanes) {
+                break;
+            }
+            if looks.pieces.open >> piece & 1 == 0 {
+                left.skip(p, p.sub_rd(p.splat(reach), entry));
+                continue;
+            }
+            let look = Look {
+                active: looks.pieces.active(piece, &rows.all),
+                reach,
+                within,
+                separated: false,
+            };
+            self.search(number, &Hint::OPEN, &look, left);
+        }
+        left.lanes = p.none();
     }
 
     /// Searches where a look asks for it; what is left to be searched then.
     #[inline(always)]
-    fn search(&mut self, number: usize, hint: &Hint, look: &Look, left: &Left<P>) -> Left<P> {
+    fn search(&mut self, number: usize, hint: &Hint, look: &Look, left: &mut Left<P>) {
         let p = self.p;
         let packet = &mut self.tile.packets[number];
         let (mut over, live) = segment(p, packet, self.own);
@@ -117,13 +173,10 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
         let behind = over.hi;
         over.hi = p.min_f(behind, p.sub_rd(p.splat(look.reach), entry));
         let live = p.and(wanted, p.le(over.lo, over.hi));
-        let mut left = Left {
-            lanes: p.and(wanted, p.lt(over.hi, behind)),
-            from: p.max_f(over.lo, over.hi),
-            spent: left.spent,
-        };
+        left.lanes = p.and(wanted, p.lt(over.hi, behind));
+        left.from = p.select(wanted, p.max_f(over.lo, over.hi), left.from);
         if !p.any(live) {
-            return left;
+            return;
         }
         let piece = Piece {
             over,
@@ -147,12 +200,12 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
             let from = self.in_front(&roots);
             self.events.forget(p.bits(again));
             hit = p.and_not(hit, again);
-            left.lanes = p.or(left.lanes, again);
+            left.lanes = p.and_not(left.lanes, again);
+            left.again = p.or(left.again, again);
             left.from = p.select(again, from, left.from);
         }
         left.lanes = p.and_not(left.lanes, hit);
         self.hold(number, hit, &roots.t);
-        left
     }
 
     /// The rays that met something, none of it near the ends of the search: no other search tells more of it.
@@ -306,6 +359,18 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
     }
 }
 
+/// What is known of a packet: about its rays, which rows matter, and where boxes are.
+pub(super) type Known<'a> = (&'a Hint, &'a Rows, [f64; 2]);
+
+/// Looks at what lies behind what is near.
+pub(super) struct LooksBehind<'a, P: Packet> {
+    pub surface: &'a mut dyn Bundle<P>,
+    pub space: Space<'a>,
+    pub pieces: &'a mut Pieces,
+    /// Are these the packet's?
+    pub ready: bool,
+}
+
 /// Where rays of a packet are searched.
 struct Piece<P: Packet> {
     over: Interval<P::F>,
@@ -343,9 +408,39 @@ impl Look<'_> {
     }
 }
 
-/// Rays that are still to be searched, from where, and the evaluations that they took so far.
+/// Rays that are still to be searched, …
 struct Left<P: Packet> {
     lanes: P::M,
+    /// … and those of which it is open what they met, …
+    again: P::M,
+    /// … from where, …
     from: P::F,
+    /// … and the evaluations that they took so far.
     spent: P::F,
+}
+
+impl<P: Packet> Left<P> {
+    #[inline(always)]
+    fn all(p: P) -> Self {
+        Left {
+            lanes: p.not(p.none()),
+            again: p.none(),
+            from: p.splat(0.0),
+            spent: p.splat(0.0),
+        }
+    }
+
+    /// There is nothing before this.
+    #[inline(always)]
+    fn skip(&mut self, p: P, to: P::F) {
+        self.from = p.select(self.lanes, p.max_f(self.from, to), self.from);
+    }
+
+    /// Searches all of them next; are there any?
+    #[inline(always)]
+    fn begin_again(&mut self, p: P) -> bool {
+        self.lanes = p.or(self.lanes, self.again);
+        self.again = p.none();
+        p.any(self.lanes)
+    }
 }

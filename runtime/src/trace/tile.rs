@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::beams::OverGroup;
-use super::packet::Packets;
+use super::packet::{Known, LooksBehind, Packets};
 use crate::beam::{Bundle, Findings, Grid, Hint, OverBeams, Request, Rows, Scout, Space};
 use crate::contract::Contractor;
 use crate::interval::{Kernel, Packet};
@@ -104,14 +104,26 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
                 }
                 _ => false,
             };
+            let Findings {
+                hints: own_hints,
+                rows: own_rows,
+                pieces,
+                ..
+            } = &mut *packets;
+            let mut behind = surface.as_mut().map(|(surface, space)| LooksBehind {
+                surface: &mut **surface,
+                space: *space,
+                pieces,
+                ready: false,
+            });
             for k in 0..PACKETS_OF_CELL {
                 let (hint, rows) = if looked {
-                    (&packets.hints[k], &packets.rows[k])
+                    (&own_hints[k], &own_rows[k])
                 } else {
                     (hint, rows)
                 };
                 if hint.open {
-                    self.packet(first + k, hint, rows, within);
+                    self.packet(first + k, (hint, rows, within), &mut behind);
                 }
             }
         }
@@ -144,11 +156,14 @@ impl<S: Surface, C: Contractor, P: Packet> Packets<'_, S, C, P> {
 
     /// Traces a packet of the tile, of which this much is known.
     #[inline(always)]
-    fn packet(&mut self, number: usize, hint: &Hint, rows: &Rows, within: [f64; 2]) {
+    fn packet(&mut self, number: usize, known: Known, behind: &mut Option<LooksBehind<'_, P>>) {
         self.tile.enter(self.p, self.view, number);
+        if let Some(behind) = behind {
+            behind.ready = false;
+        }
         for part in 0..P::PARTS {
             self.p = self.p.part(part);
-            self.part(number, hint, rows, within);
+            self.part(number, known, behind);
         }
     }
 }

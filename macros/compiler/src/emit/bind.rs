@@ -23,7 +23,7 @@ impl Compiled<'_> {
             .iter()
             .map(|_| quote!(__zeroset::Vec::new()));
         let active = self.layout.copy_active(&quote!(bound));
-        let regions = self.layout.choices.known(&quote!(active), false);
+        let regions = self.layout.choices.known(&quote!(active));
         let mut before = TokenStream::new();
         let shared = self.bind_shared(&mut before);
         let rows = (0..self.layout.rows.len()).map(|k| self.bind_rows(k, &shared));

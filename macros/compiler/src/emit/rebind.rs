@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 pub fn rebind(compiled: &Compiled) -> TokenStream {
     let layout = compiled.layout;
     let active = layout.copy_active(&quote!(to));
-    let regions = layout.choices.known(&quote!(active), false);
+    let regions = layout.choices.known(&quote!(active));
     let leaves = |part: u8, kind: &str, leaves: &[usize]| -> Vec<TokenStream> {
         let (part, kind) = (Literal::u8_unsuffixed(part), format_ident!("{kind}"));
         let all = leaves.iter().enumerate().map(|(place, leaf)| {

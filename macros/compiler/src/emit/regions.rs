@@ -6,8 +6,8 @@
 
 use super::choices::{Choices, Side};
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
-use std::collections::BTreeMap;
+use quote::quote;
+use std::collections::HashMap;
 
 /// How many regions a word of the array `alive` tells of.
 const WORD: usize = u32::BITS as usize;
@@ -22,14 +22,30 @@ impl Choices {
         }
     }
 
-    /// The array `alive`: which regions are, bit by bit.
-    pub fn known(&self, active: &TokenStream, in_space: bool) -> TokenStream {
+    /// The array `alive`: which regions are, bit by bit, as a list of what is active knows.
+    pub fn known(&self, active: &TokenStream) -> TokenStream {
         if self.is_empty() {
             return TokenStream::new();
         }
-        let words = Literal::usize_unsuffixed(self.regions().div_ceil(WORD));
-        let alive = format_ident!("{}", if in_space { "alive_in_space" } else { "alive" });
-        quote!(let alive = #active.#alive::<#words>();)
+        let words = self.words();
+        quote!(let alive = #active.alive::<#words>();)
+    }
+
+    /// The same in space.
+    pub fn known_in_space(&self) -> TokenStream {
+        if self.is_empty() {
+            return TokenStream::new();
+        }
+        let (words, table) = (self.words(), self.table());
+        quote! {
+            const REGIONS: __zeroset::Regions = #table;
+            let alive = active.alive_in_space::<#words>(&REGIONS);
+        }
+    }
+
+    /// How many words tell of them.
+    fn words(&self) -> Literal {
+        Literal::usize_unsuffixed(self.regions().div_ceil(WORD))
     }
 
     /// The table by which the runtime finds out which regions are alive.
@@ -38,39 +54,80 @@ impl Choices {
             return quote!(__zeroset::Regions::NONE);
         }
         let count = Literal::usize_unsuffixed(self.regions());
-        let sides = 2 * self.pairs.len();
-        let inside = |stands: &dyn Fn(Option<Side>) -> bool| {
-            let choices = self.within.iter().enumerate();
-            let choices = choices.filter(move |(_, within)| stands(**within));
-            let numbers = choices.map(|(number, _)| Literal::usize_unsuffixed(number));
-            numbers.collect::<Vec<_>>()
-        };
-        let of_sides = (0..sides).map(|side| {
-            let mut parts_of = BTreeMap::new();
-            for (union, number) in self.unions.iter().zip(sides..) {
-                if union.contains(&side) {
-                    *parts_of.entry(number / WORD).or_insert(0u32) |= 1 << (number % WORD);
+        let choices = self.in_order().into_iter().map(|(choice, inside)| {
+            let number = |of: usize| Literal::usize_unsuffixed(of);
+            let within = match self.within.get(choice).copied().flatten().map(number) {
+                Some(region) => quote!(__zeroset::Option::Some(#region)),
+                None => quote!(__zeroset::Option::None),
+            };
+            let parts_of = [0, 1].map(|side| {
+                let unions = self.unions.iter().zip(2 * self.pairs.len()..);
+                let unions = unions.filter(|(of, _)| of.contains(&(2 * choice + side)));
+                let unions = unions.map(|(_, union)| number(union));
+                quote!(&[#(#unions),*])
+            });
+            let (choice, inside) = (number(choice), number(inside));
+            quote! {
+                __zeroset::Place {
+                    choice: #choice,
+                    within: #within,
+                    inside: #inside,
+                    parts_of: [#(#parts_of),*],
                 }
             }
-            let holds = |of| self.sides(of).contains(&side);
-            let choices = inside(&|within| within.is_some_and(holds));
-            let parts_of = parts_of.into_iter().map(|(word, bits)| {
-                let (word, bits) = (
-                    Literal::usize_unsuffixed(word),
-                    Literal::u32_unsuffixed(bits),
-                );
-                quote!((#word, #bits))
-            });
-            quote!(__zeroset::Region { parts_of: &[#(#parts_of),*], choices: &[#(#choices),*] })
         });
-        let outermost = inside(&|within| within.is_none());
-        quote! {
-            __zeroset::Regions {
-                count: #count,
-                outermost: &[#(#outermost),*],
-                of_sides: &[#(#of_sides),*],
-            }
+        quote!(__zeroset::Regions { count: #count, choices: &[#(#choices),*] })
+    }
+
+    /// The choices, each with the number of those inside of its sides: these come right behind it, as far as all sides of a
+    /// union come before what stands in it.
+    fn in_order(&self) -> Vec<(usize, usize)> {
+        let mut flat: Vec<usize> = (0..self.pairs.len()).collect();
+        flat.sort_by_cached_key(|choice| self.depth(*choice));
+        let rank: HashMap<usize, usize> = flat.iter().copied().zip(0..).collect();
+        // From the outermost choice around one to itself.
+        let path = |choice: &usize| {
+            let outward =
+                std::iter::successors(Some(*choice), |choice| self.choice_around(*choice));
+            let ranks = outward
+                .take(flat.len())
+                .filter_map(|choice| rank.get(&choice));
+            let mut path: Vec<usize> = ranks.copied().collect();
+            path.reverse();
+            path
+        };
+        let mut nested: Vec<(Vec<usize>, usize)> = flat.iter().map(|k| (path(k), *k)).collect();
+        nested.sort_unstable();
+        let order: HashMap<usize, usize> = nested.iter().map(|(_, k)| *k).zip(0..).collect();
+        let follows = |choice: usize| {
+            let sides = self
+                .within
+                .get(choice)
+                .copied()
+                .flatten()
+                .map(|region| self.sides(region));
+            let mut outer = sides.into_iter().flatten().map(|side| side / 2);
+            outer.all(|outer| order.get(&outer) < order.get(&choice))
+        };
+        if !flat.iter().all(|choice| follows(*choice)) {
+            return flat.into_iter().map(|choice| (choice, 0)).collect();
         }
+        let inside = |path: &Vec<usize>| {
+            let all = nested.iter().filter(|(other, _)| other.starts_with(path));
+            all.count().saturating_sub(1)
+        };
+        let order = nested.iter().map(|(path, choice)| (*choice, inside(path)));
+        order.collect()
+    }
+
+    /// The choice of the innermost side around one.
+    fn choice_around(&self, choice: usize) -> Option<usize> {
+        let outward = |region: &Side| self.around.get(*region).copied().flatten();
+        let regions = std::iter::successors(outward(&(2 * choice)), outward);
+        let mut regions = regions.take(self.regions());
+        regions
+            .find(|region| *region < 2 * self.pairs.len())
+            .map(|side| side / 2)
     }
 
     /// The innermost region around each side and each union.

@@ -1,7 +1,6 @@
 //! The functions of `Surface` over segments and in space; those of the earlier stages are in `prepare` and `bind`.
 
 use super::block::block;
-use super::choices::Choices;
 use super::enclosure::{Enclosure, Stage, Value};
 use super::layout::Layout;
 use crate::graph::{Graph, Id, Op, Scope};
@@ -56,11 +55,10 @@ impl Compiled<'_> {
         }
     }
 
-    /// `REGIONS`: along rays, and in space.
+    /// `REGIONS`: along rays.
     pub fn regions(&self) -> TokenStream {
-        let layout = self.layout;
-        let tables = [&layout.choices, &layout.choices_in_space].map(Choices::table);
-        quote!(const REGIONS: [__zeroset::Regions; 2] = [#(#tables),*];)
+        let table = self.layout.choices.table();
+        quote!(const REGIONS: __zeroset::Regions = #table;)
     }
 
     /// The polynomials over the segment `t`, if this parameter is one: then the function ends here.
@@ -103,7 +101,7 @@ impl Compiled<'_> {
         let mut target = self.enclosure(Stage::Segment);
         let (body, jet) = self.jet(&mut target, &targets, 1, HashMap::new());
         let over = self.over(n);
-        let regions = self.layout.choices.known(&quote!(bound.2), false);
+        let regions = self.layout.choices.known(&quote!(bound.2));
         let (name, n) = (format_ident!("{name}"), Literal::usize_unsuffixed(n));
         quote! {
             #[inline(always)]
@@ -129,7 +127,7 @@ impl Compiled<'_> {
         if body.is_empty() {
             return body;
         }
-        let regions = self.layout.choices.known(&quote!(bound.2), false);
+        let regions = self.layout.choices.known(&quote!(bound.2));
         quote! {
             #[inline(always)]
             fn terms<A: __zeroset::Arithmetic, T: __zeroset::Parameter<A>>(
@@ -171,7 +169,7 @@ impl Compiled<'_> {
         if self.layout.terms.is_empty() && choices.is_empty() {
             return TokenStream::new();
         }
-        let regions = choices.known(&quote!(active), true);
+        let regions = choices.known_in_space();
         let targets: Vec<Id> = self.space.iter().take(4).copied().collect();
         let (body, jet) = self.jet(
             &mut self.enclosure(Stage::Seen),

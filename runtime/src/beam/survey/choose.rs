@@ -30,11 +30,12 @@ impl<P: Packet> Surveyor<'_, P> {
         let width = self.group.width(p, found.front);
         let ahead = p.add_rn(found.front, p.mul_rn(width, p.splat(REACH)));
         let reach = p.min_f(p.select(found.one, found.back, ahead), end);
+        let (work, regions) = (self.surface.work(), self.surface.regions());
         if !active.rest.is_empty() {
             let front = self.middle(found.front, Direction::Any);
             thin.measure(|to| self.surface.terms(p, &front, to));
         }
-        thin.weigh(active, |to| {
+        thin.weigh(active, regions, |to| {
             self.surface.terms(p, &self.around(found.front, reach), to)
         });
         let all = p.or(found.inside, p.le(last, reach));
@@ -45,14 +46,9 @@ impl<P: Packet> Surveyor<'_, P> {
         );
         let reach = p.to_array(reach);
         let mut all = p.bits(all);
-        let (work, regions) = (self.surface.work(), self.surface.regions());
         let before = active.rows.is_empty().then(|| work.of(active));
         for lane in lanes() {
             thin.choose(active, lane, &mut rows[lane].near);
-            // Where no choice was decided, the regions are those that were.
-            if rows[lane].near.choices != active.choices {
-                rows[lane].near.find_regions(regions);
-            }
             rows[lane].all.clone_from(&given.all);
             rows[lane].reach = reach[lane];
             rows[lane].vain = 0;
@@ -68,18 +64,14 @@ impl<P: Packet> Surveyor<'_, P> {
                     given.reach
                 };
                 all |= 1 << lane;
-            } else {
-                rows[lane].near.find_in_space(regions);
             }
         }
-        if to_the_end && open & !all != 0 {
-            thin.weigh(active, |to| {
+        if to_the_end && open & !all != 0 && (self.stretch.keenly || !active.rest.is_empty()) {
+            thin.weigh(active, regions, |to| {
                 self.surface.terms(p, &self.around(found.front, last), to)
             });
             for lane in lanes().filter(|lane| all >> lane & 1 == 0) {
                 thin.choose(active, lane, &mut rows[lane].all);
-                rows[lane].all.find_regions(regions);
-                rows[lane].all.find_in_space(regions);
             }
         }
     }

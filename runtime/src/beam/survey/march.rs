@@ -36,14 +36,7 @@ impl<P: Packet> Surveyor<'_, P> {
     /// A piece and a little more, in all directions: the rays' own t differs by the frame's slack.
     #[inline(always)]
     pub(super) fn around(&self, front: P::F, back: P::F) -> Towards<P::F> {
-        let p = self.p;
-        let slack = p.splat(8.0 * self.group.slack());
-        let t = Interval {
-            lo: p.max_f(p.sub_rd(front, slack), p.splat(0.0)),
-            hi: p.add_ru(back, slack),
-        };
-        self.group
-            .towards(p, self.group.slab(p, &t), Direction::Any)
+        self.group.around(self.p, front, back)
     }
 
     #[inline(always)]

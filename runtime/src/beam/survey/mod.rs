@@ -1,14 +1,18 @@
 //! What is certain for all rays of a beam: where there is no root, and where there is exactly one on each ray.
 
+mod behind;
 mod choose;
 mod march;
 mod single;
+
+pub(crate) use behind::{Behind, Pieces};
 
 use super::{Frame, Grid, Group, Hint, Rows, Shift, Single, Slab, Thin, Towards};
 use crate::interval::{Interval, Packet, Routine, back_ends};
 use crate::solve::{Enclosed, Settings, select};
 use crate::span::Span8;
 use crate::surface::{Active, Regions, Work};
+use behind::LookBehind;
 use march::Surveyor;
 
 /// A surface over eight beams. An object, so that the survey is compiled once per instruction set.
@@ -26,8 +30,8 @@ pub(crate) trait Bundle<P: Packet> {
     /// The terms of these beams' rows over a piece.
     fn terms(&self, p: P, over: &Towards<P::F>, to: &mut Thin);
     /// The regions of the surface's code.
-    fn regions(&self) -> &'static [Regions; 2] {
-        &[Regions::NONE; 2]
+    fn regions(&self) -> &'static Regions {
+        &Regions::NONE
     }
     /// What evaluations along rays cost.
     fn work(&self) -> &'static Work {
@@ -77,28 +81,46 @@ pub(crate) struct Findings {
     pub apart: u8,
     /// Evaluations, counted once for all eight.
     pub count: u64,
+    /// Room for what lies behind what is near.
+    pub pieces: Pieces,
     thin: Thin,
 }
 
 /// The survey, compiled here for each instruction set.
 #[derive(Clone, Copy)]
-pub(crate) struct Scout<P: Packet>(fn(P, &mut dyn Bundle<P>, &Request, &mut Findings));
+pub(crate) struct Scout<P: Packet> {
+    survey: fn(P, &mut dyn Bundle<P>, &Request, &mut Findings),
+    behind: fn(P, &mut dyn Bundle<P>, &Behind, &mut Pieces) -> u64,
+}
 
 back_ends!(SCOUTS: Scout::READY);
 
 impl<P: Packet> Scout<P> {
-    const READY: Self = Scout(|p, surface, request, findings| {
-        p.call(Survey {
-            surface,
-            request,
-            findings,
-        });
-    });
+    const READY: Self = Scout {
+        survey: |p, surface, request, findings| {
+            p.call(Survey {
+                surface,
+                request,
+                findings,
+            });
+        },
+        behind: |p, surface, beam, pieces| {
+            p.call(LookBehind {
+                surface,
+                beam,
+                pieces,
+            })
+        },
+    };
+
+    fn found() -> Option<&'static Self> {
+        SCOUTS.iter().find_map(|scout| scout.downcast_ref::<Self>())
+    }
 
     /// Looks at each beam.
     pub fn survey(p: P, surface: &mut dyn Bundle<P>, request: &Request, findings: &mut Findings) {
-        match SCOUTS.iter().find_map(|scout| scout.downcast_ref::<Self>()) {
-            Some(scout) => scout.0(p, surface, request, findings),
+        match Self::found() {
+            Some(scout) => (scout.survey)(p, surface, request, findings),
             // All back-ends are listed; one that were not would know nothing.
             None => findings.know(&Hint::OPEN, request.rows),
         }

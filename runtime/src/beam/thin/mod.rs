@@ -11,7 +11,7 @@ mod told;
 
 use std::ops::Range;
 
-use crate::surface::{Active, Choice, Rest};
+use crate::surface::{Active, Choice, Regions, Rest};
 use sum::Sum;
 use told::{Candidate, Decided, Term};
 
@@ -28,6 +28,12 @@ pub(crate) struct Thin {
     terms: Vec<Term>,
     candidates: Vec<Candidate>,
     choices: Vec<Decided>,
+    /// For each choice, the beams in which the first number may be less, and the second.
+    may: Vec<[u8; 2]>,
+    /// The beams in which a choice was decided that was open, …
+    decided: u8,
+    /// … and for each region, those in which it is alive then.
+    alive: Vec<u8>,
     /// For each sum, the greatest magnitude of a term in each beam, at the front.
     greatest: Vec<[f64; 8]>,
     /// For each minimum, an upper bound of it in each beam, …
@@ -36,7 +42,7 @@ pub(crate) struct Thin {
     doubtful: Vec<u8>,
     /// The beams in which f itself is asked for, not only its sign.
     strict: u8,
-    /// Those in which a row was left out because of its sign.
+    /// Those in which a row or a side was left out because of its sign.
     signed: u8,
     /// For each row of each list, how much it matters in each beam: its greatest part of a sum.
     weights: Vec<Vec<[f64; 8]>>,
@@ -54,6 +60,9 @@ impl Default for Thin {
             terms: Vec::new(),
             candidates: Vec::new(),
             choices: Vec::new(),
+            may: Vec::new(),
+            decided: 0,
+            alive: Vec::new(),
             greatest: Vec::new(),
             least: Vec::new(),
             doubtful: Vec::new(),
@@ -117,8 +126,8 @@ impl Thin {
         self.measuring = false;
     }
 
-    /// Learns how much each row of `active` matters over a piece.
-    pub fn weigh(&mut self, active: &Active, tell: impl FnOnce(&mut Self)) {
+    /// Learns how much each row of `active` matters over a piece, and which sides of its choices and regions do.
+    pub fn weigh(&mut self, active: &Active, regions: &Regions, tell: impl FnOnce(&mut Self)) {
         self.terms.clear();
         self.candidates.clear();
         self.choices.clear();
@@ -127,6 +136,7 @@ impl Thin {
         self.signed = 0;
         tell(self);
         self.weigh_rows(active);
+        self.decide(active, regions);
     }
 
     /// What of `active` is still active over this piece of a beam.
@@ -156,16 +166,42 @@ impl Thin {
         }
         self.add_rests(lane, &mut to.rest);
         to.by_sign |= self.signed >> lane & 1 != 0;
-        let strict = self.strict >> lane & 1 != 0;
+        if self.decided >> lane & 1 == 0 {
+            return;
+        }
+        for (choice, [first, second]) in to.choices.iter_mut().zip(&self.may) {
+            *choice = match (first >> lane & 1 != 0, second >> lane & 1 != 0) {
+                (true, true) => Choice::Open,
+                (true, false) => Choice::First,
+                (false, _) => Choice::Second,
+            };
+        }
+        to.mark(&self.alive, lane);
+    }
+
+    /// The choices that were open and are decided.
+    fn decide(&mut self, active: &Active, regions: &Regions) {
+        self.may.clear();
+        let known = active.choices.iter();
+        let all = |may| if may { !0 } else { 0 };
+        self.may
+            .extend(known.map(|choice| [all(choice.first()), all(choice.second())]));
+        self.decided = 0;
         for decided in &self.choices {
-            if to.choices[decided.choice] != Choice::Open || decided.by_sign && strict {
-                continue;
+            let may = &mut self.may[decided.choice];
+            let strict = if decided.by_sign { self.strict } else { 0 };
+            let open = may[0] & may[1] & !strict;
+            let first = decided.first & open;
+            let second = decided.second & open & !first;
+            may[0] &= !second;
+            may[1] &= !first;
+            self.decided |= first | second;
+            if decided.by_sign {
+                self.signed |= first | second;
             }
-            let mut sides = decided.sides.iter();
-            if let Some((_, side)) = sides.find(|(beams, _)| beams >> lane & 1 != 0) {
-                to.choices[decided.choice] = *side;
-                to.by_sign |= decided.by_sign;
-            }
+        }
+        if self.decided != 0 {
+            regions.find(&self.may, &mut self.alive);
         }
     }
 

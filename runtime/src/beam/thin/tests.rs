@@ -27,9 +27,9 @@ fn told(rows: usize) -> (Active, Thin) {
     let terms: Vec<Term> = (0..rows)
         .flat_map(|at| [term(at, 0), term(at, 1)])
         .collect();
-    let active = Active::everything(&[rows], 2, 0, &[Regions::NONE; 2]);
+    let active = Active::everything(&[rows], 2, 0, &Regions::NONE);
     thin.measure(|thin| terms.iter().for_each(|term| thin.add_measure(term)));
-    thin.weigh(&active, |thin| thin.terms.extend(terms));
+    thin.weigh(&active, &Regions::NONE, |thin| thin.terms.extend(terms));
     (active, thin)
 }
 
@@ -81,10 +81,10 @@ fn what_is_left_out_is_in_the_rest() {
 
 #[test]
 fn a_minimum_keeps_what_may_be_least() {
-    let active = Active::everything(&[4], 0, 0, &[Regions::NONE; 2]);
+    let active = Active::everything(&[4], 0, 0, &Regions::NONE);
     let numbers = [[0.0, 1.0], [0.5, 3.0], [1.5, 2.0], [2.0, 2.5]];
     let mut thin = Thin::default();
-    thin.weigh(&active, |thin| {
+    thin.weigh(&active, &Regions::NONE, |thin| {
         for (at, [lo, hi]) in numbers.into_iter().enumerate() {
             let candidate = Candidate {
                 row: Row { list: 0, at },
@@ -108,12 +108,12 @@ fn a_minimum_keeps_what_may_be_least() {
 
 #[test]
 fn of_a_sign_what_is_positive_is_left_out() {
-    let active = Active::everything(&[4], 0, 1, &[Regions::NONE; 2]);
+    let active = Active::everything(&[4], 0, 1, &Regions::NONE);
     // In the last beam all are positive; the third row is defined nowhere for certain.
     let lows = [[-1.0, 1.0], [0.5, 0.7], [0.5, 0.7], [0.9, 0.8]];
     let mut thin = Thin::default();
     thin.look_at(0..8, 0b10);
-    thin.weigh(&active, |thin| {
+    thin.weigh(&active, &Regions::NONE, |thin| {
         for (at, [most, last]) in lows.into_iter().enumerate() {
             let mut lo = [most; 8];
             lo[7] = last;
@@ -130,7 +130,8 @@ fn of_a_sign_what_is_positive_is_left_out() {
         }
         thin.choices.push(Decided {
             choice: 0,
-            sides: [(0b110, Choice::First), (0xff, Choice::Second)],
+            first: 0b110,
+            second: 0xff,
             by_sign: true,
         });
     });
@@ -150,10 +151,10 @@ fn of_a_sign_what_is_positive_is_left_out() {
 #[test]
 fn what_nothing_was_told_about_stays() {
     let (active, mut thin) = (
-        Active::everything(&[5], 1, 0, &[Regions::NONE; 2]),
+        Active::everything(&[5], 1, 0, &Regions::NONE),
         Thin::default(),
     );
-    thin.weigh(&active, |_| ());
+    thin.weigh(&active, &Regions::NONE, |_| ());
     let mut chosen = Active::default();
     thin.choose(&active, 0, &mut chosen);
     assert_eq!(chosen, active);

@@ -2,7 +2,7 @@
 
 use super::Thin;
 use crate::interval::{Arithmetic, Flags, Interval, Packet, Truth};
-use crate::surface::{Choice, Row, Terms};
+use crate::surface::{Row, Terms};
 
 /// A row's term of a sum.
 pub(super) struct Term {
@@ -28,7 +28,8 @@ pub(super) struct Candidate {
 /// A choice, and the beams in which either number is certainly less, or does for the sign.
 pub(super) struct Decided {
     pub choice: usize,
-    pub sides: [(u8, Choice); 2],
+    pub first: u8,
+    pub second: u8,
     pub by_sign: bool,
 }
 
@@ -45,7 +46,8 @@ impl Decided {
         let (first, second) = (p.bits(first.yes) & sure, p.bits(second.yes) & sure);
         Decided {
             choice,
-            sides: [(first, Choice::First), (second, Choice::Second)],
+            first,
+            second,
             by_sign,
         }
     }
