@@ -31,9 +31,9 @@ const CHANGES: [Change; 7] = [
 pub fn run(shapes: &[Shape], arguments: &Arguments) {
     println!("\n### What each skip saves, {SIZE}², one thread; counts per ray of the picture\n");
     println!(
-        "| shape | | ms | by all on | rays made | rows bound | choices decided | beams | value | slope | curvature | point | float | fine | gradient | closed | single | root / miss / other |"
+        "| shape | | ms | by all on | rays made | rows bound | choices decided | empty pieces | beams | value | slope | curvature | point | float | fine | gradient | closed | single | root / miss / other |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     let pool = pool(1);
     let view = View {
         size: SIZE,
@@ -71,6 +71,7 @@ fn counts(s: &Statistics) -> String {
         s.made,
         e.rows,
         e.decided,
+        e.empty,
         e.beams,
         e.value,
         e.slope,

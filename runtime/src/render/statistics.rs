@@ -146,7 +146,7 @@ impl std::fmt::Display for Statistics {
             f,
             "evaluations per ray: value {:.2}, slope {:.2}, curvature {:.2}, point {:.2}, float {:.2}, fine {:.4}, gradient {:.2}; \
              per packet {:.2}, over beams {:.3}; skipped: empty beams {:.2}, beams with one root {:.2}, outside the box {:.2}, closed form {:.2}, operands {:.2} (in part {:.2}), \
-             surfaces apart {:.2} (in part {:.2})",
+             surfaces apart {:.2} (in part {:.2}), empty pieces {:.2}",
             per_ray(e.value),
             per_ray(e.slope),
             per_ray(e.curvature),
@@ -163,7 +163,8 @@ impl std::fmt::Display for Statistics {
             per_ray(e.spared),
             per_ray(e.shortened),
             per_ray(e.apart),
-            per_ray(e.trimmed)
+            per_ray(e.trimmed),
+            per_ray(e.empty)
         )?;
         write!(
             f,

@@ -98,7 +98,7 @@ impl Cells<'_> {
 
     /// The only operand that matters, if there is only one, and whether its complement does.
     fn only(&self, active: &Active) -> Option<(usize, bool)> {
-        let open = self.solid.node.given(&|leaf| side(active.choices[leaf]));
+        let open = self.solid.node.given(&|leaf| side(active.choice(leaf)));
         match open.ok()? {
             Node::Leaf(leaf) => Some((leaf, false)),
             Node::Not(inner) => match *inner {
@@ -162,7 +162,7 @@ impl Cells<'_> {
                 .zip(of_cell)
                 .map(|(span, packet)| span.up_to(reach, &packet.record.entry))
                 .collect();
-            let known = Known::Sides(&active.choices);
+            let known = Known::Sides(active);
             let place = (&mut *self.tile, first);
             let any = self
                 .solid

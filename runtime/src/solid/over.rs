@@ -128,7 +128,7 @@ impl<P: Packet> Bundle<P> for OverSolid<'_, P> {
     fn shift(&mut self, p: P, shift: &Shift<P>, active: &Active) {
         self.parts = 0;
         let node = &self.solid.node;
-        let open = node.given(&|leaf| side(active.choices[leaf]));
+        let open = node.given(&|leaf| side(active.choice(leaf)));
         if let Ok(open) = &open {
             open.leaves(&mut |leaf| self.shift_operand(p, leaf, shift));
         }

@@ -10,7 +10,7 @@ use crate::interval::{Interval, Isa};
 use crate::render::tile::PacketRays;
 use crate::solve::{Evaluations, Settings};
 use crate::span::Span8;
-use crate::surface::Choice;
+use crate::surface::Active;
 use crate::trace::{Beam, Trails, eighth};
 
 /// A searched piece is longer by this share of the ray at both ends, so that no root is at the end of a search.
@@ -30,7 +30,7 @@ pub(super) enum Known<'a> {
     /// They are surveyed on each eighth of a beam.
     Around(&'a Beam),
     /// The side of each wherever rays are of interest.
-    Sides(&'a [Choice]),
+    Sides(&'a Active),
 }
 
 /// An operand over a tile.
@@ -93,7 +93,7 @@ impl<'a, 't> Explorer<'a, 't> {
         operands.resize_with(self.solid.leaves.len(), Surveyed::default);
         let node = match known {
             Known::Around(beam) => self.survey(beam, &mut operands),
-            Known::Sides(choices) => self.open(choices, over, &mut operands),
+            Known::Sides(active) => self.open(active, over, &mut operands),
         };
         if let Some(node) = &node {
             self.visit(node, over, &mut operands);
@@ -137,16 +137,20 @@ impl<'a, 't> Explorer<'a, 't> {
     /// What of the tree is open where the sides of operands are known; nothing if that of the solid is.
     fn open(
         &mut self,
-        choices: &[Choice],
+        active: &Active,
         over: &[Span8],
         operands: &mut [Surveyed],
     ) -> Option<Cow<'a, Node>> {
-        let open = self.solid.node.given(&|leaf| side(choices[leaf])).ok()?;
+        let open = self
+            .solid
+            .node
+            .given(&|leaf| side(active.choice(leaf)))
+            .ok()?;
         let end = over.iter().flat_map(|span| span.hi).fold(0.0, f64::max);
         let whole = Interval { lo: 0.0, hi: end };
         (self.pieces[0], self.margin) = (whole, MARGIN * end);
-        for (operand, choice) in operands.iter_mut().zip(choices) {
-            operand.survey = [side(*choice); 8];
+        for (leaf, operand) in operands.iter_mut().enumerate() {
+            operand.survey = [side(active.choice(leaf)); 8];
         }
         open.leaves(&mut |leaf| operands[leaf].relevant = Some(whole));
         Some(Cow::Owned(open))

@@ -2,7 +2,7 @@
 //! and is counted.
 
 use crate::interval::{At, Ball, Flags, Interval, Jet, Packet, Scalar};
-use crate::surface::{Active, Choice};
+use crate::surface::Active;
 
 /// A surface along the rays of one packet. An object, so that a solver is compiled once per instruction set, and not
 /// again for each surface: the call costs nothing beside an evaluation.
@@ -72,6 +72,8 @@ pub struct Evaluations {
     pub rows: u64,
     /// Choices between two sides that were decided for packets of eight rays.
     pub decided: u64,
+    /// Pieces of rays behind where lists of what is near hold, in which a beam has excluded all roots: they are not searched.
+    pub empty: u64,
     /// Enclosures over beams, each counted once per packet of eight.
     pub beams: u64,
     /// Evaluations of all other kinds, each counted once per packet of eight.
@@ -98,8 +100,8 @@ impl Evaluations {
             .iter()
             .map(|rows| rows.len() as u64)
             .sum::<u64>();
-        let decided = active.choices.iter().filter(|c| **c != Choice::Open);
-        self.decided += decided.count() as u64;
+        let [decided, _] = active.choices();
+        self.decided += u64::from(decided);
     }
 
     pub(crate) fn add(&mut self, other: &Evaluations) {
@@ -118,6 +120,7 @@ impl Evaluations {
         self.trimmed += other.trimmed;
         self.rows += other.rows;
         self.decided += other.decided;
+        self.empty += other.empty;
         self.beams += other.beams;
         self.packets += other.packets;
     }

@@ -14,8 +14,8 @@ pub struct Active {
     pub rough: Vec<usize>,
     /// For each sum that may leave out rows: what these add, wherever this list is used.
     pub rest: Vec<Rest>,
-    /// What is known of each choice between two sides.
-    pub choices: Vec<Choice>,
+    /// Two bits for each choice between two sides: may the first number be less, and may the second?
+    sides: Vec<u32>,
     /// Which regions of the surface's code along rays are alive, bit by bit.
     alive: Vec<u32>,
     /// The same in space, found when it is asked for.
@@ -74,7 +74,7 @@ impl Active {
             rows: lengths.iter().map(|n| (0..*n as u32).collect()).collect(),
             rough: lengths.to_vec(),
             rest: vec![rest; sums],
-            choices: vec![Choice::Open; choices],
+            sides: both_sides(choices),
             alive: regions.all(),
             in_space: OnceLock::new(),
             by_sign: false,
@@ -100,15 +100,64 @@ impl Active {
     #[inline]
     #[must_use]
     pub fn alive_in_space<const WORDS: usize>(&self, regions: &Regions) -> &[u32; WORDS] {
-        let alive = self.in_space.get_or_init(|| regions.alive(&self.choices));
+        let alive = self.in_space.get_or_init(|| {
+            let (mut may, mut alive) = (Vec::new(), Vec::new());
+            self.tell_sides(&mut may);
+            regions.find(&may, &mut alive);
+            words(&alive, 0).collect()
+        });
         alive.first_chunk().expect(FOREIGN)
     }
 
-    /// Marks the regions along rays that are alive in this one of eight lists, of which [`Regions::find`] tells.
-    pub(crate) fn mark(&mut self, alive: &[u8], list: usize) {
+    /// What is known of a choice.
+    pub(crate) fn choice(&self, number: usize) -> Choice {
+        match self.sides[number / CHOICES] >> (2 * (number % CHOICES)) & 0b11 {
+            0b01 => Choice::First,
+            0b10 => Choice::Second,
+            _ => Choice::Open,
+        }
+    }
+
+    /// In which of eight lists like this one the first number of each choice may be less, and the second: in all or none.
+    pub(crate) fn tell_sides(&self, may: &mut Vec<[u8; 2]>) {
+        may.clear();
+        may.resize(self.sides.len() * CHOICES, [0; 2]);
+        let all = |bit: u32| if bit & 1 != 0 { !0 } else { 0 };
+        for (may, word) in may.chunks_exact_mut(CHOICES).zip(&self.sides) {
+            for (k, may) in may.iter_mut().enumerate() {
+                *may = [all(word >> (2 * k)), all(word >> (2 * k + 1))];
+            }
+        }
+    }
+
+    /// How many choices are decided, and how many are open.
+    pub(crate) fn choices(&self) -> [u32; 2] {
+        let count = |known: fn(u32, u32) -> u32| {
+            let first = |word: &u32| known(*word, word >> 1) & FIRST;
+            self.sides.iter().map(|word| first(word).count_ones()).sum()
+        };
+        [
+            count(|first, second| first ^ second),
+            count(|first, second| first & second),
+        ]
+    }
+
+    /// Takes over what is known of choices, and of the regions along rays, in this one of eight lists: as
+    /// [`tell_sides`](Self::tell_sides) and [`Regions::find`] tell.
+    pub(crate) fn decide(&mut self, list: usize, may: &[[u8; 2]], alive: &[u8]) {
+        self.sides.clear();
+        self.sides.extend(words(may.as_flattened(), list));
         self.alive.clear();
         self.alive.extend(words(alive, list));
         self.in_space.take();
+    }
+
+    /// Takes over what is asked for along rays.
+    pub fn load(&mut self, from: &Active) {
+        self.rows.clone_from(&from.rows);
+        self.rough.clone_from(&from.rough);
+        self.rest.clone_from(&from.rest);
+        self.alive.clone_from(&from.alive);
     }
 
     /// The numbers of the regions along rays that are alive; behind them numbers of none may come.
@@ -154,28 +203,22 @@ impl Active {
         self.rows.iter_mut().for_each(Vec::clear);
         self.rough.resize(other.rows.len(), 0);
         self.rest.clone_from(&other.rest);
-        self.choices.clone_from(&other.choices);
+        self.sides.clone_from(&other.sides);
         self.alive.clone_from(&other.alive);
-        self.in_space.clone_from(&other.in_space);
+        self.in_space.take();
         self.by_sign = other.by_sign;
     }
 
     /// Are there fewer rows, or fewer open choices?
     pub(crate) fn is_less_than(&self, other: &Active) -> bool {
         let rows = |active: &Active| active.rows.iter().map(Vec::len).sum::<usize>();
-        let open = |active: &Active| {
-            active
-                .choices
-                .iter()
-                .filter(|c| **c == Choice::Open)
-                .count()
-        };
+        let open = |active: &Active| active.choices()[1];
         rows(self) < rows(other) || open(self) < open(other)
     }
 
     /// Is there anything to choose?
     pub(crate) fn is_open(&self) -> bool {
-        self.rows.iter().any(|rows| rows.len() > 1) || self.choices.contains(&Choice::Open)
+        self.rows.iter().any(|rows| rows.len() > 1) || self.choices()[1] > 0
     }
 }
 
@@ -185,22 +228,33 @@ impl Clone for Active {
             rows: self.rows.clone(),
             rough: self.rough.clone(),
             rest: self.rest.clone(),
-            choices: self.choices.clone(),
+            sides: self.sides.clone(),
             alive: self.alive.clone(),
-            in_space: self.in_space.clone(),
+            in_space: OnceLock::new(),
             by_sign: self.by_sign,
         }
     }
     /// Keeps the room.
     fn clone_from(&mut self, from: &Self) {
-        self.rows.clone_from(&from.rows);
-        self.rough.clone_from(&from.rough);
-        self.rest.clone_from(&from.rest);
-        self.choices.clone_from(&from.choices);
-        self.alive.clone_from(&from.alive);
-        self.in_space.clone_from(&from.in_space);
+        self.load(from);
+        self.sides.clone_from(&from.sides);
+        self.in_space.take();
         self.by_sign = from.by_sign;
     }
+}
+
+/// How many choices a word tells of, …
+const CHOICES: usize = u32::BITS as usize / 2;
+/// … and their first bits.
+const FIRST: u32 = 0x5555_5555;
+
+/// Both sides of so many choices.
+fn both_sides(choices: usize) -> Vec<u32> {
+    let mut sides = vec![!0; choices.div_ceil(CHOICES)];
+    if let Some(last) = sides.last_mut() {
+        *last >>= 2 * (choices.next_multiple_of(CHOICES) - choices);
+    }
+    sides
 }
 
 /// What asking for the regions of another formula says.

@@ -1,7 +1,5 @@
 //! Which regions of a surface's code matter: the code that one side of a choice needs, or each of several sides.
 
-use super::Choice;
-
 /// The regions of a formula's code: two for each choice, one for either side, and behind them those that several sides share.
 #[derive(Clone, Copy, Debug)]
 pub struct Regions {
@@ -36,15 +34,6 @@ impl Regions {
         vec![u32::MAX; self.count.div_ceil(WORD)]
     }
 
-    /// Those that are alive with what is known of each choice, bit by bit.
-    pub(super) fn alive(&self, choices: &[Choice]) -> Vec<u32> {
-        let sides = |choice: &Choice| [u8::from(choice.first()), u8::from(choice.second())];
-        let may: Vec<_> = choices.iter().map(sides).collect();
-        let mut alive = Vec::new();
-        self.find(&may, &mut alive);
-        words(&alive, 0).collect()
-    }
-
     /// In which of eight lists each region is alive, from those in which the first number of each choice may be less, and the
     /// second.
     pub(crate) fn find(&self, may: &[[u8; 2]], alive: &mut Vec<u8>) {
@@ -76,8 +65,8 @@ impl Regions {
 /// How many regions a word tells of.
 const WORD: usize = u32::BITS as usize;
 
-/// What [`Regions::find`] tells of one of its lists, bit by bit.
-pub(super) fn words(alive: &[u8], list: usize) -> impl Iterator<Item = u32> {
+/// What bytes, each of which tells of eight lists, tell of one of them, bit by bit.
+pub(super) fn words(bytes: &[u8], list: usize) -> impl Iterator<Item = u32> {
     /// The lowest bit of each byte, …
     const EACH: u64 = 0x0101_0101_0101_0101;
     /// … and from there to the byte's own place in the highest.
@@ -86,7 +75,7 @@ pub(super) fn words(alive: &[u8], list: usize) -> impl Iterator<Item = u32> {
         let bits = u64::from_le_bytes(*eight) >> list & EACH;
         (bits.wrapping_mul(TOGETHER) >> 56) as u8
     };
-    let (eights, _) = alive.as_chunks::<8>();
+    let (eights, _) = bytes.as_chunks::<8>();
     let (words, _) = eights.as_chunks::<4>();
     words
         .iter()

@@ -61,7 +61,7 @@ mod tests {
         let with = |may| {
             let (mut active, mut alive) = (all.clone(), Vec::new());
             regions.find(&[may], &mut alive);
-            active.mark(&alive, 0);
+            active.decide(0, &[may], &alive);
             active
         };
         assert_eq!(work.of(&all), 180);

@@ -137,6 +137,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
                 break;
             }
             if looks.pieces.open >> piece & 1 == 0 {
+                self.tile.counts.empty += u64::from(p.bits(left.lanes).count_ones());
                 left.skip(p, p.sub_rd(p.splat(reach), entry));
                 continue;
             }

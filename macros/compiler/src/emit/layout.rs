@@ -297,7 +297,7 @@ impl Layout {
         if self.outermost.is_empty() && self.choices.is_empty() {
             return TokenStream::new();
         }
-        quote!(#bound.2.clone_from(active);)
+        quote!(#bound.2.load(active);)
     }
 
     /// The list of a fold's active rows: its index in `Active::rows`.

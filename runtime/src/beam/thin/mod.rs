@@ -11,7 +11,7 @@ mod told;
 
 use std::ops::Range;
 
-use crate::surface::{Active, Choice, Regions, Rest};
+use crate::surface::{Active, Regions, Rest};
 use sum::Sum;
 use told::{Candidate, Decided, Term};
 
@@ -166,26 +166,14 @@ impl Thin {
         }
         self.add_rests(lane, &mut to.rest);
         to.by_sign |= self.signed >> lane & 1 != 0;
-        if self.decided >> lane & 1 == 0 {
-            return;
+        if self.decided >> lane & 1 != 0 {
+            to.decide(lane, &self.may, &self.alive);
         }
-        for (choice, [first, second]) in to.choices.iter_mut().zip(&self.may) {
-            *choice = match (first >> lane & 1 != 0, second >> lane & 1 != 0) {
-                (true, true) => Choice::Open,
-                (true, false) => Choice::First,
-                (false, _) => Choice::Second,
-            };
-        }
-        to.mark(&self.alive, lane);
     }
 
     /// The choices that were open and are decided.
     fn decide(&mut self, active: &Active, regions: &Regions) {
-        self.may.clear();
-        let known = active.choices.iter();
-        let all = |may| if may { !0 } else { 0 };
-        self.may
-            .extend(known.map(|choice| [all(choice.first()), all(choice.second())]));
+        active.tell_sides(&mut self.may);
         self.decided = 0;
         for decided in &self.choices {
             let may = &mut self.may[decided.choice];

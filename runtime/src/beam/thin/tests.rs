@@ -3,7 +3,7 @@
 use super::told::{Candidate, Term};
 use super::*;
 use crate::interval::{Arithmetic, Interval, Scalar};
-use crate::surface::{Regions, Row};
+use crate::surface::{Choice, Regions, Row};
 
 /// Terms of many sizes over eight beams, always the same; and one whose row may be undefined.
 fn told(rows: usize) -> (Active, Thin) {
@@ -138,7 +138,7 @@ fn of_a_sign_what_is_positive_is_left_out() {
     let mut chosen = |lane| {
         let mut chosen = Active::default();
         thin.choose(&active, lane, &mut chosen);
-        (chosen.rows[0].clone(), chosen.choices[0], chosen.by_sign)
+        (chosen.rows[0].clone(), chosen.choice(0), chosen.by_sign)
     };
     assert_eq!(chosen(0), (vec![0, 2], Choice::Second, true));
     assert_eq!(chosen(2), (vec![0, 2], Choice::First, true));
