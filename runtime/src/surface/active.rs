@@ -36,22 +36,6 @@ pub enum Choice {
     Second,
 }
 
-impl Choice {
-    /// May the first number be less?
-    #[inline(always)]
-    #[must_use]
-    pub fn first(self) -> bool {
-        self != Choice::Second
-    }
-
-    /// May the second number be less?
-    #[inline(always)]
-    #[must_use]
-    pub fn second(self) -> bool {
-        self != Choice::First
-    }
-}
-
 /// What the rows of a sum add that are left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest {

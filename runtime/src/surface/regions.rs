@@ -129,7 +129,7 @@ mod tests {
         fn alive(&self, choices: &[Choice], region: usize) -> bool {
             self.holds(region).into_iter().any(|side| {
                 let choice = choices[side / 2];
-                let own = [choice.first(), choice.second()][side % 2];
+                let own = choice != [Choice::Second, Choice::First][side % 2];
                 own && self.within[side / 2].is_none_or(|outer| self.alive(choices, outer))
             })
         }
@@ -164,11 +164,11 @@ mod tests {
             let any = [Choice::Open, Choice::First, Choice::Second];
             let mut list = || (0..40).map(|_| any[random(&mut state, 3)]).collect();
             let lists: [Vec<Choice>; 8] = core::array::from_fn(|_| list());
-            let bits = |choice: usize, side: fn(Choice) -> bool| {
-                let may = (0..8).filter(|k| side(lists[*k][choice]));
+            let bits = |choice: usize, other: Choice| {
+                let may = (0..8).filter(|k| lists[*k][choice] != other);
                 may.fold(0, |bits, k| bits | 1 << k)
             };
-            let may = |choice| [bits(choice, Choice::first), bits(choice, Choice::second)];
+            let may = |choice| [Choice::Second, Choice::First].map(|other| bits(choice, other));
             let may: Vec<[u8; 2]> = (0..40).map(may).collect();
             let (table, mut found) = (nest.table(), Vec::new());
             table.find(&may, &mut found);
