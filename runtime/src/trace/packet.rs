@@ -142,7 +142,7 @@ impl<'a, S: Surface, C: Contractor, P: Packet> Packets<'a, S, C, P> {
                 continue;
             }
             let look = Look {
-                active: looks.pieces.active(piece, &rows.all),
+                active: &looks.pieces.active[piece],
                 reach,
                 within,
                 separated: false,

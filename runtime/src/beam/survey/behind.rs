@@ -28,21 +28,13 @@ pub(crate) struct Pieces {
     pub end: [f64; 8],
     /// Those that may hold roots.
     pub open: u8,
-    /// What matters in one of them.
-    active: Active,
+    /// What matters in each of these.
+    pub active: [Active; 8],
     thin: Thin,
 }
 
 /// Each piece is so much longer than the one before.
 const GROWTH: f64 = 1.25;
-
-impl Pieces {
-    /// What matters in an open piece, of what mattered before.
-    pub fn active(&mut self, piece: usize, before: &Active) -> &Active {
-        self.thin.choose(before, piece, &mut self.active);
-        &self.active
-    }
-}
 
 impl<P: Packet> Scout<P> {
     /// Looks at the pieces: with how many evaluations. Nothing on a back-end that is not listed.
@@ -106,8 +98,8 @@ impl<P: Packet> LookBehind<'_, '_, P> {
         let Pieces {
             end,
             open: found,
+            active: own,
             thin,
-            ..
         } = &mut *self.pieces;
         for piece in p.own() {
             end[piece] = if piece == 7 {
@@ -122,6 +114,10 @@ impl<P: Packet> LookBehind<'_, '_, P> {
             thin.weigh(active, self.surface.regions(), |to| {
                 self.surface.terms(p, &over, to);
             });
+            // The next part of the packet learns anew.
+            for piece in p.own().filter(|piece| open >> piece & 1 != 0) {
+                thin.choose(active, piece, &mut own[piece]);
+            }
         }
     }
 }
