@@ -288,11 +288,11 @@ impl<R: Rounding> Lanes for Avx2<R> {
     }
     #[inline(always)]
     fn mul_rd(self, a: Pair, b: Pair) -> Pair {
-        self.down_guarded(self.mul_rn(a, b))
+        self.down_guarded(self.mul_rn(a, b), self.zeros(a, b))
     }
     #[inline(always)]
     fn mul_ru(self, a: Pair, b: Pair) -> Pair {
-        self.up_guarded(self.mul_rn(a, b))
+        self.up_guarded(self.mul_rn(a, b), self.zeros(a, b))
     }
     #[inline(always)]
     fn mul_nonneg_rd(self, a: Pair, b: Pair) -> Pair {
@@ -300,7 +300,10 @@ impl<R: Rounding> Lanes for Avx2<R> {
     }
     #[inline(always)]
     fn mul_nonneg_ru(self, a: Pair, b: Pair) -> Pair {
-        self.max_f(self.up_nonneg(self.mul_rn(a, b)), self.splat(0.0))
+        self.max_f(
+            self.up_nonneg(self.mul_rn(a, b), self.zeros(a, b)),
+            self.splat(0.0),
+        )
     }
     #[inline(always)]
     fn radius(self, a: Pair, b: Pair, c: Pair) -> Pair {
@@ -309,11 +312,11 @@ impl<R: Rounding> Lanes for Avx2<R> {
     }
     #[inline(always)]
     fn div_rd(self, a: Pair, b: Pair) -> Pair {
-        self.down_guarded(self.div_rn(a, b))
+        self.down_guarded(self.div_rn(a, b), self.zero(a))
     }
     #[inline(always)]
     fn div_ru(self, a: Pair, b: Pair) -> Pair {
-        self.up_guarded(self.div_rn(a, b))
+        self.up_guarded(self.div_rn(a, b), self.zero(a))
     }
     #[inline(always)]
     fn sqrt_rd(self, a: Pair) -> Pair {
@@ -325,11 +328,11 @@ impl<R: Rounding> Lanes for Avx2<R> {
     }
     #[inline(always)]
     fn fma_rd(self, a: Pair, b: Pair, c: Pair) -> Pair {
-        self.down_guarded(self.fma_rn(a, b, c))
+        self.down_guarded(self.fma_rn(a, b, c), self.zeros(a, b))
     }
     #[inline(always)]
     fn fma_ru(self, a: Pair, b: Pair, c: Pair) -> Pair {
-        self.up_guarded(self.fma_rn(a, b, c))
+        self.up_guarded(self.fma_rn(a, b, c), self.zeros(a, b))
     }
 }
 
@@ -346,9 +349,10 @@ impl<R: Rounding> Enclose for Avx2<R> {
         );
         let lo = p.min_f(z, p.min_f(y, p.min_f(x, last)));
         let hi = p.max_f(z, p.max_f(y, p.max_f(x, last)));
+        let exact = p.zeros(p.or(a.lo, a.hi), p.or(b.lo, b.hi));
         Interval {
-            lo: p.down_guarded(lo),
-            hi: p.up_guarded(hi),
+            lo: p.down_guarded(lo, exact),
+            hi: p.up_guarded(hi, exact),
         }
     }
 
@@ -357,9 +361,10 @@ impl<R: Rounding> Enclose for Avx2<R> {
         let p = self;
         let lo = p.min_f(p.mul_rn(a.lo, b.lo), p.mend(p.mul_rn(a.hi, b.lo)));
         let hi = p.max_f(p.mul_rn(a.lo, b.hi), p.mend(p.mul_rn(a.hi, b.hi)));
+        let exact = p.zeros(p.or(a.lo, a.hi), p.or(b.lo, b.hi));
         Interval {
-            lo: p.down_guarded(lo),
-            hi: p.up_guarded(hi),
+            lo: p.down_guarded(lo, exact),
+            hi: p.up_guarded(hi, exact),
         }
     }
 }

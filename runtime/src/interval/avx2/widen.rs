@@ -73,27 +73,32 @@ impl<R: Rounding> Avx2<R> {
             x
         ))
     }
-    /// As [`down`](Self::down), also where the rounding was in subnormals (products and quotients).
+    /// As [`down`](Self::down), also where the rounding was in subnormals (products and quotients), but for the lanes that
+    /// are `exact`: see [`size`](Self::size).
     #[inline(always)]
-    pub(super) fn down_guarded(self, x: Pair) -> Pair {
+    pub(super) fn down_guarded(self, x: Pair, exact: Pair) -> Pair {
         if !R::ON {
             return x;
         }
         let x = self.not_above(x);
         both!(_mm256_fnmadd_pd(
-            self.size(x),
+            self.size(self.abs_f(x), exact),
             self.splat(PHI * R::SCALE),
             x
         ))
     }
     /// As [`down_guarded`](Self::down_guarded), above.
     #[inline(always)]
-    pub(super) fn up_guarded(self, x: Pair) -> Pair {
+    pub(super) fn up_guarded(self, x: Pair, exact: Pair) -> Pair {
         if !R::ON {
             return x;
         }
         let x = self.not_below(x);
-        both!(_mm256_fmadd_pd(self.size(x), self.splat(PHI * R::SCALE), x))
+        both!(_mm256_fmadd_pd(
+            self.size(self.abs_f(x), exact),
+            self.splat(PHI * R::SCALE),
+            x
+        ))
     }
 
     /// As [`down_guarded`](Self::down_guarded), of x ≥ 0 or NaN, which stays one: the predecessor, by the bits. 0 stays 0;
@@ -117,12 +122,12 @@ impl<R: Rounding> Avx2<R> {
     }
     /// As [`up_guarded`](Self::up_guarded), of x ≥ 0 or NaN: there is no overflow on the lower side.
     #[inline(always)]
-    pub(super) fn up_nonneg(self, x: Pair) -> Pair {
+    pub(super) fn up_nonneg(self, x: Pair, exact: Pair) -> Pair {
         if !R::ON {
             return x;
         }
         both!(_mm256_fmadd_pd(
-            self.raised(x),
+            self.size(x, exact),
             self.splat(PHI * R::SCALE),
             x
         ))
@@ -156,16 +161,23 @@ impl<R: Rounding> Avx2<R> {
             x
         }
     }
-    /// |x| raised to 2⁻¹⁰²¹.
+    /// Where is a factor 0? The product with any number is 0, exactly.
     #[inline(always)]
-    fn size(self, x: Pair) -> Pair {
-        self.raised(self.abs_f(x))
+    pub(super) fn zero(self, a: Pair) -> Pair {
+        self.eq(a, self.splat(0.0))
     }
-    /// x ≥ 0 raised to 2⁻¹⁰²¹, so that the step is never less than 2⁻¹⁰⁷⁴. A bound of 0 therefore moves too.
+    /// Where is either factor 0?
     #[inline(always)]
-    fn raised(self, x: Pair) -> Pair {
+    pub(super) fn zeros(self, a: Pair, b: Pair) -> Pair {
+        self.or(self.zero(a), self.zero(b))
+    }
+    /// x ≥ 0 raised to 2⁻¹⁰²¹, so that a step is never less than 2⁻¹⁰⁷⁴: a bound of 0 that may have been rounded to 0
+    /// moves too. A bound that is exact must not. Directions and constants make many products 0, and the smallest
+    /// subnormal takes some processors a hundred cycles for each operation on it.
+    #[inline(always)]
+    fn size(self, x: Pair, exact: Pair) -> Pair {
         if R::GUARDED {
-            both!(_mm256_max_pd(x, self.splat(GUARD)))
+            self.max_f(x, self.and_not(self.splat(GUARD), exact))
         } else {
             x
         }

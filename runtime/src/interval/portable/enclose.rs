@@ -73,8 +73,10 @@ fn mul<R: Rounding>(p: Portable<R>, a: Interval<F>, b: Interval<F>) -> Interval<
     );
     let lo = p.min_f(z, p.min_f(y, p.min_f(x, last)));
     let hi = p.max_f(z, p.max_f(y, p.max_f(x, last)));
+    let zero = |a: &Interval<F>, i: usize| (a.lo[i] == 0.0) & (a.hi[i] == 0.0);
+    let exact = |i| zero(&a, i) | zero(&b, i);
     Interval {
-        lo: map!(i => down_one::<R>(lo[i])),
-        hi: map!(i => up_one::<R>(hi[i])),
+        lo: map!(i => down_one::<R>(lo[i], exact(i))),
+        hi: map!(i => up_one::<R>(hi[i], exact(i))),
     }
 }

@@ -1,7 +1,7 @@
 //! a·b + c without a fused operation, as tight as with one.
 
 use super::super::Rounding;
-use super::down_one;
+use super::{down_one, down_sum, zeros};
 
 /// Operands below this can be split without overflow.
 const SPLITS: f64 = f64::from_bits((1023 + 995) << 52);
@@ -48,14 +48,18 @@ pub fn tight<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
     let (t, f) = two_sum(p, c);
     let (h, l) = two_sum(e, f);
     let (s, w) = two_sum(t, h);
-    if w + l < 0.0 { down_one::<R>(s) } else { s }
+    if w + l < 0.0 {
+        down_one::<R>(s, false)
+    } else {
+        s
+    }
 }
 
 /// Does [`tight`] hold for these operands? Bitwise operators, so that eight lanes need no branch.
 #[inline(always)]
 pub fn holds(a: f64, b: f64, c: f64) -> bool {
     let p = (a * b).abs();
-    let exact = (a == 0.0) | (b == 0.0) | (p >= TINY);
+    let exact = zeros(a, b) | (p >= TINY);
     exact & (a.abs() < SPLITS) & (b.abs() < SPLITS) & (p < HUGE) & (c.abs() < HUGE)
 }
 
@@ -64,7 +68,7 @@ pub fn holds(a: f64, b: f64, c: f64) -> bool {
 #[inline(always)]
 pub fn guarded<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
     let p = a * b;
-    let zero = (a == 0.0 || b == 0.0) && !p.is_nan();
-    let product = if zero { p } else { down_one::<R>(p) };
-    down_one::<R>(product + c)
+    let zero = zeros(a, b) && !p.is_nan();
+    let product = if zero { p } else { down_one::<R>(p, false) };
+    down_sum::<R>(product + c)
 }

@@ -37,9 +37,9 @@ const ETA: f64 = f64::from_bits(1);
 type F = [f64; 8];
 type M = [u64; 8];
 
-/// x or a number below it, such that the exact result that rounded to x is not below.
+/// x or a number below it, such that the exact result that rounded to x is not below. Where x is 0 and `exact`, it stays.
 #[inline(always)]
-fn down_one<R: Rounding>(x: f64) -> f64 {
+fn down_one<R: Rounding>(x: f64, exact: bool) -> f64 {
     if !R::ON {
         return x;
     }
@@ -49,12 +49,12 @@ fn down_one<R: Rounding>(x: f64) -> f64 {
     } else {
         x
     };
-    x - error::<R>(x)
+    x - error::<R>(x, exact)
 }
 
 /// As [`down_one`], above.
 #[inline(always)]
-fn up_one<R: Rounding>(x: f64) -> f64 {
+fn up_one<R: Rounding>(x: f64, exact: bool) -> f64 {
     if !R::ON {
         return x;
     }
@@ -63,7 +63,25 @@ fn up_one<R: Rounding>(x: f64) -> f64 {
     } else {
         x
     };
-    x + error::<R>(x)
+    x + error::<R>(x, exact)
+}
+
+/// As [`down_one`], of a sum or a root: neither rounds to 0 but where it is 0.
+#[inline(always)]
+fn down_sum<R: Rounding>(x: f64) -> f64 {
+    down_one::<R>(x, x == 0.0)
+}
+
+/// As [`down_sum`], above.
+#[inline(always)]
+fn up_sum<R: Rounding>(x: f64) -> f64 {
+    up_one::<R>(x, x == 0.0)
+}
+
+/// Is a·b exact because a factor is 0?
+#[inline(always)]
+fn zeros(a: f64, b: f64) -> bool {
+    (a == 0.0) | (b == 0.0)
 }
 
 /// An upper bound of what a product and a sum rounded to x: see [`RADIUS`].
@@ -75,10 +93,11 @@ fn up_radius<R: Rounding>(x: f64) -> f64 {
     x + x.max(RADIUS) * (RADIUS_STEP * R::SCALE)
 }
 
-/// |x|·φ + η
+/// |x|·φ + η, less η where x is `exact`. Directions and constants make many products 0, and η takes some processors a
+/// hundred cycles for each operation on it.
 #[inline(always)]
-fn error<R: Rounding>(x: f64) -> f64 {
-    let least = if R::GUARDED { ETA } else { 0.0 };
+fn error<R: Rounding>(x: f64, exact: bool) -> f64 {
+    let least = if R::GUARDED && !exact { ETA } else { 0.0 };
     x.abs() * (PHI * R::SCALE) + least
 }
 
@@ -99,7 +118,11 @@ fn product_sum_down<R: Rounding>(a: f64, b: f64, c: f64) -> f64 {
     } else {
         s
     };
-    let least = if R::GUARDED { 2.0 * ETA } else { 0.0 };
+    let least = if R::GUARDED && !zeros(a, b) {
+        2.0 * ETA
+    } else {
+        0.0
+    };
     s - ((p.abs() + s.abs() + s.abs()) * (PHI_3 * R::SCALE) + least)
 }
 
@@ -328,35 +351,35 @@ impl<R: Rounding> Lanes for Portable<R> {
 
     #[inline(always)]
     fn add_rd(self, a: F, b: F) -> F {
-        map!(i => down_one::<R>(a[i] + b[i]))
+        map!(i => down_sum::<R>(a[i] + b[i]))
     }
     #[inline(always)]
     fn add_ru(self, a: F, b: F) -> F {
-        map!(i => up_one::<R>(a[i] + b[i]))
+        map!(i => up_sum::<R>(a[i] + b[i]))
     }
     #[inline(always)]
     fn mul_rd(self, a: F, b: F) -> F {
-        map!(i => down_one::<R>(a[i] * b[i]))
+        map!(i => down_one::<R>(a[i] * b[i], zeros(a[i], b[i])))
     }
     #[inline(always)]
     fn mul_ru(self, a: F, b: F) -> F {
-        map!(i => up_one::<R>(a[i] * b[i]))
+        map!(i => up_one::<R>(a[i] * b[i], zeros(a[i], b[i])))
     }
     #[inline(always)]
     fn div_rd(self, a: F, b: F) -> F {
-        map!(i => down_one::<R>(a[i] / b[i]))
+        map!(i => down_one::<R>(a[i] / b[i], a[i] == 0.0))
     }
     #[inline(always)]
     fn div_ru(self, a: F, b: F) -> F {
-        map!(i => up_one::<R>(a[i] / b[i]))
+        map!(i => up_one::<R>(a[i] / b[i], a[i] == 0.0))
     }
     #[inline(always)]
     fn sqrt_rd(self, a: F) -> F {
-        map!(i => down_one::<R>(a[i].sqrt()))
+        map!(i => down_sum::<R>(a[i].sqrt()))
     }
     #[inline(always)]
     fn sqrt_ru(self, a: F) -> F {
-        map!(i => up_one::<R>(a[i].sqrt()))
+        map!(i => up_sum::<R>(a[i].sqrt()))
     }
     #[inline(always)]
     fn fma_rd(self, a: F, b: F, c: F) -> F {
