@@ -57,16 +57,19 @@ impl<S: Surface, C: Contractor> Query<S, C> {
     /// If the ray is not one.
     pub fn trail(&self, ray: &Ray) -> Result<Trail, RenderError> {
         check_ray(ray)?;
-        Ok(self.isa.run(AlongRay::<S, C> {
-            prepared: &self.prepared,
-            settings: &self.settings,
-            search: &Search {
-                ray,
-                domain: &self.domain,
-                within: None,
+        Ok(C::run(
+            self.isa,
+            AlongRay::<S, C> {
+                prepared: &self.prepared,
+                settings: &self.settings,
+                search: &Search {
+                    ray,
+                    domain: &self.domain,
+                    within: None,
+                },
+                first_only: false,
+                solver: PhantomData,
             },
-            first_only: false,
-            solver: PhantomData,
-        }))
+        ))
     }
 }

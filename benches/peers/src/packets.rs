@@ -38,6 +38,10 @@ pub fn say_skipped<const N: usize>(
 pub fn picture(shape: &Shape, view: &View, isa: Isa) -> Rendering {
     let mut options = view.options();
     options.isa = Some(isa);
+    #[cfg(feature = "unrounded")]
+    if Isa::unrounded().contains(&isa) {
+        return render(&shape.unrounded, &view.camera(), &options).expect("a valid scene");
+    }
     render(&shape.scene, &view.camera(), &options).expect("a valid scene")
 }
 

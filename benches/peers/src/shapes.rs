@@ -4,12 +4,16 @@
 
 use crate::models::{Model, Model1, Model2, Shared};
 use fidget::context::Tree;
+use zeroset::contract::{Auto, Contractor};
 use zeroset::{Scene, Surface, implicit};
 
 /// A shape in every form.
 pub struct Shape {
     pub name: String,
     pub scene: Scene,
+    /// The scene for back-ends without rounding.
+    #[cfg(feature = "unrounded")]
+    pub unrounded: Scene,
     pub tree: Tree,
     /// f by hand.
     pub at: Box<dyn Fn([f64; 3]) -> f64 + Sync>,
@@ -126,8 +130,10 @@ pub fn rows<const N: usize>(table: &str) -> Vec<[f64; N]> {
 /// Where all shapes are.
 pub const CUBE: [[f64; 3]; 2] = [[-1.0; 3], [1.0; 3]];
 
-fn within<S: Surface + 'static>(surface: S) -> Scene {
-    Scene::new().with(surface).within(CUBE[0], CUBE[1])
+fn within<C: Contractor, S: Surface + 'static>(surface: S) -> Scene {
+    Scene::new()
+        .with_solver::<C, _>(surface)
+        .within(CUBE[0], CUBE[1])
 }
 
 fn shape<S: Surface + Clone + 'static>(
@@ -140,7 +146,9 @@ fn shape<S: Surface + Clone + 'static>(
         name: name.to_owned(),
         #[cfg(feature = "limit")]
         limit: crate::limit::maker(surface.clone()),
-        scene: within(surface),
+        #[cfg(feature = "unrounded")]
+        unrounded: within::<zeroset::contract::unsound::Unrounded, S>(surface.clone()),
+        scene: within::<Auto, S>(surface),
         tree,
         at: Box::new(at),
         isosurface: None,

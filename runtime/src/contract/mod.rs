@@ -27,7 +27,7 @@ use crate::solve::Field;
 
 mod sealed {
     use super::Contractor;
-    use crate::interval::Packet;
+    use crate::interval::{Isa, Kernel, Packet};
     use crate::solve::Solver;
 
     /// A contractor's claims are proofs: they are this crate's own.
@@ -38,6 +38,11 @@ mod sealed {
             Self: Contractor,
         {
             Solver::of::<Self>()
+        }
+
+        /// Runs a kernel of a surface that has this solver.
+        fn run<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
+            isa.run_surface(kernel)
         }
     }
 }

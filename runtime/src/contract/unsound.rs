@@ -1,9 +1,11 @@
 //! Weakened rules, for negative controls alone: each leaves out one condition of a proof, and an oracle must notice.
 
+use std::marker::PhantomData;
+
 use super::auto::{self, Memory};
 use super::{Auto, Contractor, Pieces, sealed::Sealed};
-use crate::interval::{Interval, Packet};
-use crate::solve::{Field, differentiable, excluded, nonzero};
+use crate::interval::{Interval, Isa, Kernel, Packet};
+use crate::solve::{Field, Solver, differentiable, excluded, nonzero};
 
 /// Uses the derivative where f may be undefined or discontinuous.
 #[derive(Clone, Copy, Debug, Default)]
@@ -76,5 +78,41 @@ impl Contractor for Signless {
             pieces.slope = p.select_interval(monotone, f.d[1], pieces.slope);
         }
         pieces
+    }
+}
+
+/// The contractor `C` on the back-ends whose bounds do not hold, and on no others: a surface is compiled for them where it
+/// has this solver.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unrounded<C = Auto>(PhantomData<C>);
+
+impl<C: Contractor> Sealed for Unrounded<C> {
+    fn solver<P: Packet>() -> Solver<P> {
+        C::solver()
+    }
+
+    fn run<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
+        isa.run_unrounded(kernel)
+    }
+}
+
+impl<C: Contractor> Contractor for Unrounded<C> {
+    const NAME: &'static str = "unsound: without rounding";
+    const ORDER: u8 = C::ORDER;
+
+    type Memory<P: Packet> = C::Memory<P>;
+
+    fn memory<P: Packet>(p: P) -> C::Memory<P> {
+        C::memory(p)
+    }
+
+    #[inline(always)]
+    fn contract<P: Packet>(
+        field: &mut Field<'_, P>,
+        t: &Interval<P::F>,
+        live: P::M,
+        memory: &mut C::Memory<P>,
+    ) -> Pieces<P> {
+        C::contract(field, t, live, memory)
     }
 }

@@ -34,6 +34,22 @@ macro_rules! tokens {
                 }
             }
 
+            /// As [`run`](Self::run), of kernels that are compiled for the back-ends whose bounds do, or do not, hold.
+            fn run_where<K: Kernel, const HOLDS: bool>(self, kernel: K) -> K::Output {
+                match self.0 {
+                    $($(#[$condition])* Token::$variant(p) => {
+                        if const { <<$token as Lanes>::Rounding as Rounding>::HOLDS == HOLDS } {
+                            p.kernel(kernel)
+                        } else {
+                            panic!(
+                                "{self}: a surface is rendered without rounding by the solver `contract::unsound::Unrounded` alone, \
+                                 which does nothing else"
+                            )
+                        }
+                    })*
+                }
+            }
+
             /// The name that `ZEROSET_ISA` takes.
             pub fn name(self) -> &'static str {
                 match self.0 {
@@ -158,6 +174,18 @@ impl Isa {
         }
     }
 
+    /// As [`run`](Self::run), of a surface's kernel: where tests bring the back-ends whose bounds do not hold, no surface is
+    /// compiled for them that does not ask for it.
+    pub(crate) fn run_surface<K: Kernel>(self, kernel: K) -> K::Output {
+        self.run_where::<K, true>(kernel)
+    }
+
+    /// As [`run`](Self::run), with the back-ends whose bounds do not hold alone.
+    #[cfg(feature = "unrounded")]
+    pub(crate) fn run_unrounded<K: Kernel>(self, kernel: K) -> K::Output {
+        self.run_where::<K, false>(kernel)
+    }
+
     /// All back-ends of this processor whose bounds hold, best first; the portable one is always among them.
     pub fn available() -> Vec<Isa> {
         let mut all = Self::all();
@@ -165,7 +193,8 @@ impl Isa {
         all
     }
 
-    /// The back-ends with rounding switched off, for negative controls and to measure what rounding costs.
+    /// The back-ends with rounding switched off, for negative controls and to measure what rounding costs. They render
+    /// surfaces that have the solver [`Unrounded`](crate::contract::unsound::Unrounded), and no others.
     #[cfg(feature = "unrounded")]
     #[doc(hidden)]
     pub fn unrounded() -> Vec<Isa> {

@@ -126,19 +126,25 @@ impl<S: Surface, C: Contractor> Trace for Solver<S, C> {
 
 impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
     fn leaves(&self, isa: Isa, frame: &Frame) -> Option<Leaves> {
-        isa.run(AssembleLeaves::<S> {
-            prepared: &self.prepared,
-            frame,
-        })
+        C::run(
+            isa,
+            AssembleLeaves::<S> {
+                prepared: &self.prepared,
+                frame,
+            },
+        )
     }
     fn survey(&self, isa: Isa, beams: WithBeams, request: &Request, findings: &mut Findings) {
-        isa.run(SurveyGrid::<S> {
-            prepared: &self.prepared,
-            beams,
-            request,
-            findings,
-            surface: PhantomData,
-        });
+        C::run(
+            isa,
+            SurveyGrid::<S> {
+                prepared: &self.prepared,
+                beams,
+                request,
+                findings,
+                surface: PhantomData,
+            },
+        );
     }
     fn everything(&self) -> Active {
         S::everything(&self.prepared)
@@ -149,33 +155,42 @@ impl<S: Surface, C: Contractor> Prepared for Ready<'_, S, C> {
         leaves: Option<&(dyn Any + Send + Sync)>,
         boxes: &Boxes,
     ) -> Option<Division> {
-        isa.run(DivideBoxes::<S> {
-            prepared: &self.prepared,
-            leaves: leaves?,
-            boxes,
-            surface: PhantomData,
-        })
+        C::run(
+            isa,
+            DivideBoxes::<S> {
+                prepared: &self.prepared,
+                leaves: leaves?,
+                boxes,
+                surface: PhantomData,
+            },
+        )
     }
     fn trace(&self, job: &TileJob, (hint, rows): (&Hint, &Rows), tile: &mut Tile) {
-        job.isa.run(TraceTile::<S, C> {
-            prepared: &self.prepared,
-            job,
-            hint: *hint,
-            rows,
-            tile,
-            solver: PhantomData,
-        });
+        C::run(
+            job.isa,
+            TraceTile::<S, C> {
+                prepared: &self.prepared,
+                job,
+                hint: *hint,
+                rows,
+                tile,
+                solver: PhantomData,
+            },
+        );
     }
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
-        isa.run(NormalsOfTile::<S>::new(&self.prepared, index, tile));
+        C::run(isa, NormalsOfTile::<S>::new(&self.prepared, index, tile));
     }
     fn along(&self, isa: Isa, settings: &Settings, search: &Search, first_only: bool) -> Trail {
-        isa.run(AlongRay::<S, C> {
-            prepared: &self.prepared,
-            settings,
-            search,
-            first_only,
-            solver: PhantomData,
-        })
+        C::run(
+            isa,
+            AlongRay::<S, C> {
+                prepared: &self.prepared,
+                settings,
+                search,
+                first_only,
+                solver: PhantomData,
+            },
+        )
     }
 }

@@ -88,7 +88,7 @@ impl<S: Surface + 'static> Leaf for Placed<S> {
 
 impl<S: Surface + 'static> PreparedLeaf for Bare<'_, S> {
     fn on_picture(&self, isa: Isa, frame: &Frame) -> Option<OnPicture> {
-        isa.run(AssembleOperand::<Placed<S>> {
+        isa.run_surface(AssembleOperand::<Placed<S>> {
             prepared: &self.prepared,
             frame,
         })
@@ -97,7 +97,7 @@ impl<S: Surface + 'static> PreparedLeaf for Bare<'_, S> {
         &self.prepared
     }
     fn lone(&self, job: &TileJob, lone: &mut [Lone], tile: &mut Tile) {
-        job.isa.run(TraceLone::<Placed<S>> {
+        job.isa.run_surface(TraceLone::<Placed<S>> {
             prepared: &self.prepared,
             job,
             lone,
@@ -105,7 +105,7 @@ impl<S: Surface + 'static> PreparedLeaf for Bare<'_, S> {
         });
     }
     fn survey(&self, isa: Isa, beam: &Beam, counts: &mut Evaluations) -> [Side; 8] {
-        isa.run(Survey::<Placed<S>> {
+        isa.run_surface(Survey::<Placed<S>> {
             prepared: &self.prepared,
             beam,
             counts,
@@ -120,7 +120,7 @@ impl<S: Surface + 'static> PreparedLeaf for Bare<'_, S> {
         search: Vec<Span8>,
         counts: &mut Evaluations,
     ) -> Trails {
-        isa.run(TrailsOfTile::<Placed<S>> {
+        isa.run_surface(TrailsOfTile::<Placed<S>> {
             prepared: &self.prepared,
             settings,
             packets,
@@ -130,10 +130,10 @@ impl<S: Surface + 'static> PreparedLeaf for Bare<'_, S> {
         })
     }
     fn normals(&self, isa: Isa, index: u16, tile: &mut Tile) {
-        isa.run(NormalsOfTile::<Placed<S>>::new(&self.prepared, index, tile));
+        isa.run_surface(NormalsOfTile::<Placed<S>>::new(&self.prepared, index, tile));
     }
     fn boxes(&self, isa: Isa, boxes: &[[Interval; 8]; 3]) -> [Side; 8] {
-        isa.run(SideOfBoxes::<Placed<S>> {
+        isa.run_surface(SideOfBoxes::<Placed<S>> {
             prepared: &self.prepared,
             boxes,
             surface: PhantomData,

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 use zeroset::camera::{Camera, Ray};
+use zeroset::contract::unsound::Unrounded;
 use zeroset::contract::{Auto, Contractor};
 use zeroset::scene::Scene;
 use zeroset::solve::Settings;
@@ -40,16 +41,7 @@ fn from(name: &'static str, scale: f64, degrees: f64) -> (&'static str, Camera) 
     (name, camera.expect("a camera"))
 }
 
-fn picture<S: Surface + 'static>(
-    name: &str,
-    surface: S,
-    view: (&str, Camera),
-    oracle: impl Oracle + Send + 'static,
-) -> Picture {
-    picture_by::<Auto, S>(name, surface, view, oracle)
-}
-
-fn picture_by<C: Contractor, S: Surface + 'static>(
+fn picture<C: Contractor, S: Surface + 'static>(
     name: &str,
     surface: S,
     (view, camera): (&str, Camera),
@@ -69,6 +61,10 @@ fn picture_by<C: Contractor, S: Surface + 'static>(
 
 /// Sphere, ellipsoid, both tori and the doubled sphere, near and far; quadrics also without their closed form.
 pub fn polynomial_pictures() -> Vec<Picture> {
+    polynomials_by::<Auto>()
+}
+
+fn polynomials_by<C: Contractor>() -> Vec<Picture> {
     let mut all = Vec::new();
     let views = [
         along_z(),
@@ -78,18 +74,23 @@ pub fn polynomial_pictures() -> Vec<Picture> {
     ];
     for view in views {
         let quartic = Polynomial(|ray: &Ray| polynomials::torus(ray, 0.6, 0.25));
-        all.extend(quadric("sphere", Sphere, view, polynomials::sphere));
-        all.extend(quadric(
+        all.extend(quadric::<C, _>("sphere", Sphere, view, polynomials::sphere));
+        all.extend(quadric::<C, _>(
             "ellipsoid",
             Ellipsoid,
             view,
             polynomials::ellipsoid,
         ));
-        all.push(picture("torus", Torus::default(), view, quartic));
+        all.push(picture::<C, _>("torus", Torus::default(), view, quartic));
         let quartic = Polynomial(polynomials::torus_quartic);
-        all.push(picture("torus as a quartic", TorusQuartic, view, quartic));
+        all.push(picture::<C, _>(
+            "torus as a quartic",
+            TorusQuartic,
+            view,
+            quartic,
+        ));
         let doubled = Polynomial(|ray: &Ray| polynomials::doubled_sphere(ray, 0.8));
-        all.push(picture(
+        all.push(picture::<C, _>(
             "doubled sphere",
             DoubledSphere::default(),
             view,
@@ -100,26 +101,27 @@ pub fn polynomial_pictures() -> Vec<Picture> {
 }
 
 /// A quadric with its closed form and without.
-fn quadric<S: Surface + Clone + 'static>(
+fn quadric<C: Contractor, S: Surface + Clone + 'static>(
     name: &str,
     surface: S,
     view: (&str, Camera),
     formula: fn(&Ray) -> Poly,
 ) -> [Picture; 2] {
-    let closed = picture(name, surface.clone(), view, Polynomial(formula));
+    let closed = picture::<C, _>(name, surface.clone(), view, Polynomial(formula));
     let name = format!("{name} without closed form");
-    let mut searched = picture(&name, surface, view, Polynomial(formula));
+    let mut searched = picture::<C, _>(&name, surface, view, Polynomial(formula));
     searched.settings.closed_forms = false;
     [closed, searched]
 }
 
 /// Sums of 1, 8 and 64 exponentials for each of these seeds: along the z axis for odd ones, else in perspective.
 pub fn sums(seeds: RangeInclusive<u64>) -> Vec<Picture> {
-    sums_with_terms(seeds).into_iter().map(|s| s.1).collect()
+    let all = sums_with_terms::<Auto>(seeds);
+    all.into_iter().map(|s| s.1).collect()
 }
 
 /// The same, with their terms.
-pub fn sums_with_terms(seeds: RangeInclusive<u64>) -> Vec<(Sum, Picture)> {
+pub fn sums_with_terms<C: Contractor>(seeds: RangeInclusive<u64>) -> Vec<(Sum, Picture)> {
     let mut all = Vec::new();
     for seed in seeds {
         let view = if seed % 2 == 1 { along_z() } else { oblique() };
@@ -130,17 +132,18 @@ pub fn sums_with_terms(seeds: RangeInclusive<u64>) -> Vec<(Sum, Picture)> {
                 level: sum.level,
             };
             let name = format!("{terms} exponentials, seed {seed}");
-            all.push((sum.clone(), picture(&name, surface, view, sum)));
+            all.push((sum.clone(), picture::<C, _>(&name, surface, view, sum)));
         }
     }
     all
 }
 
-/// The pictures of the negative control: one of each kind of surface.
+/// The pictures of the negative control, one of each kind of surface, for the back-ends without rounding.
 pub fn controls() -> Vec<Picture> {
-    let mut all = polynomial_pictures();
+    let mut all = polynomials_by::<Unrounded>();
     all.retain(|p| p.name.ends_with("oblique"));
-    all.extend(sums(2..=2));
+    let sums = sums_with_terms::<Unrounded>(2..=2);
+    all.extend(sums.into_iter().map(|s| s.1));
     all
 }
 
@@ -151,9 +154,9 @@ pub fn by<C: Contractor>() -> Vec<Picture> {
     let behind = from("from behind", -1.0, 30.0);
     let torus = Polynomial(|ray: &Ray| polynomials::torus(ray, 0.6, 0.25));
     let mut all = vec![
-        picture_by::<C, _>("pole", Pole, behind, Polynomial(polynomials::pole)),
-        picture_by::<C, _>("sphere", Sphere, view, Polynomial(polynomials::sphere)),
-        picture_by::<C, _>("torus", Torus::default(), view, torus),
+        picture::<C, _>("pole", Pole, behind, Polynomial(polynomials::pole)),
+        picture::<C, _>("sphere", Sphere, view, Polynomial(polynomials::sphere)),
+        picture::<C, _>("torus", Torus::default(), view, torus),
     ];
     for picture in &mut all {
         // What beams and closed forms settle is not the contractor's.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use rayon::prelude::*;
 use zeroset::camera::Sampling;
+use zeroset::contract::Auto;
 use zeroset::interval::Isa;
 use zeroset::verdict::Verdict;
 
@@ -16,7 +17,7 @@ use crate::tally::hex;
 /// # Panics
 /// If a picture cannot be rendered.
 pub fn sample(seeds: std::ops::RangeInclusive<u64>, size: u32, isa: Isa) -> String {
-    let all: Vec<String> = gallery::sums_with_terms(seeds)
+    let all: Vec<String> = gallery::sums_with_terms::<Auto>(seeds)
         .into_par_iter()
         .map(|(sum, picture)| {
             let mut text = header(&sum);

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use zeroset::camera::{Camera, Sampling};
+use zeroset::contract::unsound::Unrounded;
 use zeroset::contract::{Auto, Bisection, Halley, Newton, Tightened};
 use zeroset::interval::Isa;
 use zeroset::render::{Options, Rendering, render};
@@ -187,7 +188,8 @@ fn without_rounding_answers_are_wrong() {
     for isa in Isa::unrounded() {
         let mut wrong = 0;
         for camera in cameras(1.0) {
-            let picture = render(&Scene::new().with(s), &camera, &options(isa)).unwrap();
+            let scene = Scene::new().with_solver::<Unrounded, _>(s);
+            let picture = render(&scene, &camera, &options(isa)).unwrap();
             wrong += judge_all(&picture, &truths(&camera, &s.domain, &|p| sphere(p, 0.7))).0;
         }
         println!("{isa}: {wrong} wrong answers");

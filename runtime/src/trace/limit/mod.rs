@@ -87,7 +87,7 @@ impl<S: Surface> Limit<S> {
         let isa = options.isa.or_else(|| Isa::detect().ok())?;
         let size = [options.width, options.height];
         let frame = camera.frame(size, &domain)?;
-        let leaves = isa.run(AssembleLeaves::<S> {
+        let leaves = isa.run_surface(AssembleLeaves::<S> {
             prepared: &prepared,
             frame: &frame,
         })?;
@@ -101,7 +101,7 @@ impl<S: Surface> Limit<S> {
             plan: Plan::default(),
         };
         let mut plan = Plan::default();
-        let made = isa.run(Make::<S> {
+        let made = isa.run_surface(Make::<S> {
             prepared: &limit.prepared,
             view: &limit.view(),
             beams: limit.with_beams(),
@@ -120,7 +120,7 @@ impl<S: Surface> Limit<S> {
 
     /// Evaluates all of it again, up to a part. How many lanes did not prove what they did before: none, ever.
     pub fn replay(&self, upto: Part) -> u64 {
-        self.isa.run(Replay::<S> {
+        self.isa.run_surface(Replay::<S> {
             prepared: &self.prepared,
             view: &self.view(),
             beams: self.with_beams(),
