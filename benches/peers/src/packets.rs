@@ -77,12 +77,12 @@ pub fn quotient(above: Option<Spread>, below: Option<Spread>) -> String {
 pub fn run(shapes: &[Shape], arguments: &Arguments) {
     println!("\n### Packets, {SIZE}², one thread, ms\n");
     println!(
-        "`avx512-one` takes a packet's rays and a group's beams one by one, by the same code, with scalar instructions of AVX-512, which round as the vectors do. *Busy* is how many evaluations it makes for one of eight lanes: no more than so many lanes have work. *Others* counts pixels with another verdict than on eight lanes, and those with another interval: eight lanes use a polynomial's hull only where it tells for all of them.\n"
+        "`avx512-one` takes a packet's rays and a group's beams one by one, by the same code, with scalar instructions of AVX-512, which round as the vectors do. *Busy* is how many evaluations it makes for one of eight lanes: no more than so many lanes have work. *Decided* is how many choices between sides an evaluation decides, of eight lanes and of one: eight must agree. *Others* counts pixels with another verdict than on eight lanes, and those with another interval: eight lanes use a polynomial's hull only where it tells for all of them.\n"
     );
     println!(
-        "| shape | {} | one lane by eight | busy | avx2 by avx512 | portable by avx512 | others |\n|{}",
+        "| shape | {} | one lane by eight | busy | decided | avx2 by avx512 | portable by avx512 | others |\n|{}",
         NAMES.join(" | "),
-        "---|".repeat(10)
+        "---|".repeat(11)
     );
     let back_ends = back_ends(NAMES);
     let view = View {
@@ -90,35 +90,47 @@ pub fn run(shapes: &[Shape], arguments: &Arguments) {
         place: Place::Centre,
     };
     for shape in shapes {
-        let mut compared = ["—".to_owned(), "—".to_owned()];
+        let mut compared = ["—", "—", "—"].map(str::to_owned);
         if let [Ok(eight), Ok(one), ..] = &back_ends {
             compared = compare(&picture(shape, &view, *eight), &picture(shape, &view, *one));
         }
         let times = times(shape, &view, &back_ends, arguments.runs);
         println!(
-            "| {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} |",
             shape.name,
             times
                 .map(|t| t.map_or("—".to_owned(), |t| t.cell()))
                 .join(" | "),
             quotient(times[1], times[0]),
             compared[0],
+            compared[1],
             quotient(times[2], times[0]),
             quotient(times[3], times[0]),
-            compared[1],
+            compared[2],
         );
     }
     say_skipped("packets", NAMES, &back_ends);
 }
 
-/// How many evaluations of one lane stand for one of eight, and how many pixels differ.
-fn compare(eight: &Rendering, one: &Rendering) -> [String; 2] {
-    let [all, parts] = [eight, one].map(|picture| {
+/// How many evaluations of one lane stand for one of eight, what each decides, and how many pixels differ.
+fn compare(eight: &Rendering, one: &Rendering) -> [String; 3] {
+    let counts = [eight, one].map(|picture| {
         let evaluations = picture.statistics().evaluations;
-        (evaluations.packets + evaluations.beams) as f64
+        let all = (evaluations.packets + evaluations.beams) as f64;
+        (all, evaluations.decided as f64 / all)
     });
+    let [(all, together), (parts, alone)] = counts;
+    let decided = if together == 0.0 {
+        "—".to_owned()
+    } else {
+        format!("{} and {}", digits(together), digits(alone))
+    };
     let [verdicts, intervals] = others(eight, one);
-    [digits(parts / all), format!("{verdicts} and {intervals}")]
+    [
+        digits(parts / all),
+        decided,
+        format!("{verdicts} and {intervals}"),
+    ]
 }
 
 /// How many pixels have another verdict, and how many another interval.
