@@ -18,6 +18,8 @@ mod growth;
 mod judge;
 #[cfg(feature = "limit")]
 mod limit;
+// A script writes the formulas.
+#[allow(clippy::let_and_return)]
 mod models;
 mod packets;
 mod picture;
