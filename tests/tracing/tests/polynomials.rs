@@ -181,6 +181,14 @@ fn wrong_answers_are_caught() {
     assert!(wrong > 20, "only {wrong} wrong answers were noticed");
 }
 
+/// A surface that does not ask for it is not compiled without rounding.
+#[test]
+#[should_panic(expected = "unsound::Unrounded")]
+fn without_rounding_a_surface_has_to_ask() {
+    let scene = Scene::new().with(Hand::new(Sphere(0.7), 2.0));
+    let _ = render(&scene, &cameras(1.0)[0], &options(Isa::unrounded()[0]));
+}
+
 /// The same code with rounding to nearest is caught.
 #[test]
 fn without_rounding_answers_are_wrong() {

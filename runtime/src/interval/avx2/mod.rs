@@ -349,11 +349,7 @@ impl<R: Rounding> Enclose for Avx2<R> {
         );
         let lo = p.min_f(z, p.min_f(y, p.min_f(x, last)));
         let hi = p.max_f(z, p.max_f(y, p.max_f(x, last)));
-        let exact = p.zeros(p.or(a.lo, a.hi), p.or(b.lo, b.hi));
-        Interval {
-            lo: p.down_guarded(lo, exact),
-            hi: p.up_guarded(hi, exact),
-        }
+        p.outward(lo, hi, a, b)
     }
 
     #[inline(always)]
@@ -361,10 +357,6 @@ impl<R: Rounding> Enclose for Avx2<R> {
         let p = self;
         let lo = p.min_f(p.mul_rn(a.lo, b.lo), p.mend(p.mul_rn(a.hi, b.lo)));
         let hi = p.max_f(p.mul_rn(a.lo, b.hi), p.mend(p.mul_rn(a.hi, b.hi)));
-        let exact = p.zeros(p.or(a.lo, a.hi), p.or(b.lo, b.hi));
-        Interval {
-            lo: p.down_guarded(lo, exact),
-            hi: p.up_guarded(hi, exact),
-        }
+        p.outward(lo, hi, a, b)
     }
 }

@@ -3,7 +3,7 @@
 use std::arch::x86_64::*;
 
 use super::super::lanes::{RADIUS, RADIUS_STEP, TWO_THIRDS};
-use super::super::{Lanes, Rounding};
+use super::super::{Interval, Lanes, Rounding};
 use super::{Avx2, Pair};
 
 /// φ = 2⁻⁵³(1 + 2⁻⁵²): a little more than half a unit in the last place of 1.
@@ -99,6 +99,22 @@ impl<R: Rounding> Avx2<R> {
             self.splat(PHI * R::SCALE),
             x
         ))
+    }
+
+    /// a·b of its bounds to nearest.
+    #[inline(always)]
+    pub(super) fn outward(
+        self,
+        lo: Pair,
+        hi: Pair,
+        a: Interval<Pair>,
+        b: Interval<Pair>,
+    ) -> Interval<Pair> {
+        let exact = self.zeros(self.or(a.lo, a.hi), self.or(b.lo, b.hi));
+        Interval {
+            lo: self.down_guarded(lo, exact),
+            hi: self.up_guarded(hi, exact),
+        }
     }
 
     /// As [`down_guarded`](Self::down_guarded), of x ≥ 0 or NaN, which stays one: the predecessor, by the bits. 0 stays 0;
